@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/geometry/point.h"
+
+namespace kriva {
+
+/// Rows r = 0..n of de Casteljau's scheme at t; row r holds n + 1 - r points, row 0 the control points.
+using Triangle = std::vector<Points>;
+
+[[nodiscard]] Triangle deCasteljau(std::span<const Point> curve, double t);
+
+/// The two parts of a curve cut at t, both running in its direction; they share left.back() == right.front().
+struct Halves {
+    Points left;
+    Points right;
+};
+
+/// O(n^2). Source: Farin, Curves and Surfaces for CAGD, 5th ed., section 4.6.
+[[nodiscard]] Halves split(std::span<const Point> curve, double t);
+
+/// The part of a curve between two parameters 0 <= from <= to <= 1.
+[[nodiscard]] Points part(std::span<const Point> curve, double from, double to);
+
+/// The 2^levels pieces in curve order when every piece is split at the same local t, `levels` times over.
+[[nodiscard]] std::vector<Points> pieces(std::span<const Point> curve, double t, int levels);
+
+/// The blossom (polar form) b[u_1, .., u_n]: de Casteljau's scheme with another parameter at each level.
+/// Symmetric and affine in each argument; b[t, .., t] is the point at t. Needs as many arguments as the degree.
+/// Source: Ramshaw, Blossoms are polar forms, CAGD 6 (1989).
+[[nodiscard]] Point blossom(std::span<const Point> curve, std::span<const double> arguments);
+
+} // namespace kriva
