@@ -1,0 +1,140 @@
+#include "core/document/document.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace kriva {
+namespace {
+
+template <std::size_t... Index>
+std::array<Curve, kSheetCount> emptyCurves(std::index_sequence<Index...>) {
+    return {Curve(std::in_place_index<Index>)...};
+}
+
+/// One empty curve of each kind, to ask a sheet's folder what does not depend on a curve.
+const std::array<Curve, kSheetCount>& kinds() {
+    static const std::array<Curve, kSheetCount> curves = emptyCurves(std::make_index_sequence<kSheetCount>());
+    return curves;
+}
+
+template <class C>
+Edited<Curve> widened(Edited<C> edited) {
+    return {Curve(std::move(edited.curve)), std::move(edited.map)};
+}
+
+bool sameContent(const Curve& a, const Curve& b) {
+    return viewOf(a) == viewOf(b) ? a == b : withView(a, viewOf(b)) == b;
+}
+
+} // namespace
+
+std::string_view sheetName(SheetIndex sheet) {
+    return std::visit([](const auto& curve) { return curve.kSheet; }, kinds()[sheet]);
+}
+
+std::optional<SheetIndex> sheetNamed(std::string_view name) {
+    for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet)
+        if (sheetName(sheet) == name)
+            return sheet;
+    return {};
+}
+
+Curve emptyCurve(SheetIndex sheet) {
+    return kinds()[sheet];
+}
+
+bool sameContent(const Document& a, const Document& b) {
+    const auto sameCurves = [](const Sheet& x, const Sheet& y) {
+        return std::equal(x.curves.begin(), x.curves.end(), y.curves.begin(), y.curves.end(),
+                          [](const Curve& c, const Curve& d) { return sameContent(c, d); });
+    };
+    return a.title == b.title && std::equal(a.sheets.begin(), a.sheets.end(), b.sheets.begin(), sameCurves);
+}
+
+const std::string& nameOf(const Curve& curve) {
+    return std::visit([](const auto& c) -> const std::string& { return c.name; }, curve);
+}
+
+Curve renamed(Curve curve, std::string name) {
+    std::visit([&](auto& c) { c.name = std::move(name); }, curve);
+    return curve;
+}
+
+const CurveView& viewOf(const Curve& curve) {
+    return std::visit([](const auto& c) -> const CurveView& { return c.view; }, curve);
+}
+
+Curve withView(Curve curve, CurveView view) {
+    std::visit([&](auto& c) { c.view = view; }, curve);
+    return curve;
+}
+
+const CurveStyle& styleOf(const Curve& curve) {
+    return std::visit([](const auto& c) -> const CurveStyle& { return c.style; }, curve);
+}
+
+Curve withStyle(Curve curve, CurveStyle style) {
+    std::visit([&](auto& c) { c.style = style; }, curve);
+    return curve;
+}
+
+bool isIncomplete(const Curve& curve) {
+    return std::visit([](const auto& c) { return isIncomplete(c); }, curve);
+}
+
+std::size_t pointCount(const Curve& curve) {
+    return std::visit([](const auto& c) { return pointCount(c); }, curve);
+}
+
+std::size_t derivedPointCount(const Curve& curve) {
+    return std::visit([](const auto& c) { return derivedPointCount(c); }, curve);
+}
+
+std::size_t mostPoints(const Curve& curve) {
+    return std::visit([](const auto& c) { return mostPoints(c); }, curve);
+}
+
+std::vector<Grip> grips(const Curve& curve) {
+    return std::visit([](const auto& c) { return grips(c); }, curve);
+}
+
+Curve withGripsMoved(const Curve& curve, std::span<const GripId> ids, Vector by) {
+    return std::visit([&](const auto& c) { return Curve(withGripsMoved(c, ids, by)); }, curve);
+}
+
+Edited<Curve> withPointAdded(const Curve& curve, Point at) {
+    return std::visit([&](const auto& c) { return widened(withPointAdded(c, at)); }, curve);
+}
+
+Edited<Curve> withPointsRemoved(const Curve& curve, const std::vector<int>& indices) {
+    return std::visit([&](const auto& c) { return widened(withPointsRemoved(c, indices)); }, curve);
+}
+
+Edited<Curve> reversed(const Curve& curve) {
+    return std::visit([](const auto& c) { return widened(reversed(c)); }, curve);
+}
+
+std::span<const LayerInfo> layersOf(SheetIndex sheet) {
+    return std::visit([](const auto& c) { return layersOf(c); }, kinds()[sheet]);
+}
+
+Figure figureOf(const Curve& curve, const FigureContext& context) {
+    return std::visit([&](const auto& c) { return figureOf(c, context); }, curve);
+}
+
+std::vector<Result> results(const Curve& curve) {
+    return std::visit([](const auto& c) { return results(c); }, curve);
+}
+
+Figure figureOf(const Sheet& sheet, SheetIndex index) {
+    std::vector<Figure> figures;
+    for (std::size_t i = 0; i < sheet.curves.size(); ++i) {
+        if (!viewOf(sheet.curves[i]).isShown)
+            continue;
+        const FigureContext context{static_cast<int>(i), sheet.view.activeCurve == static_cast<int>(i)};
+        figures.push_back(shownLayers(figureOf(sheet.curves[i], context), layersOf(index), sheet.view, context));
+    }
+    return united(std::move(figures), layersOf(index));
+}
+
+} // namespace kriva

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/elevation/elevation_sheet.h"
+
+#include <array>
+
+namespace kriva {
+
+/// A curve of any sheet. The order of its kinds is the order of the sheets; a further sheet is one more kind here.
+using Curve = std::variant<ElevationCurve>;
+
+/// Which sheet: the index of its kind of curve.
+using SheetIndex = std::size_t;
+inline constexpr SheetIndex kSheetCount = std::variant_size_v<Curve>;
+
+struct Sheet {
+    std::vector<Curve> curves; ///< all of the sheet's own kind
+    SheetView view;
+    friend bool operator==(const Sheet&, const Sheet&) = default;
+};
+
+struct Document {
+    std::string title;
+    SheetIndex active = 0;
+    std::array<Sheet, kSheetCount> sheets;
+    friend bool operator==(const Document&, const Document&) = default;
+};
+
+/// The name of a sheet in documents: "elevation".
+[[nodiscard]] std::string_view sheetName(SheetIndex sheet);
+[[nodiscard]] std::optional<SheetIndex> sheetNamed(std::string_view name);
+/// A curve of the sheet's kind without points.
+[[nodiscard]] Curve emptyCurve(SheetIndex sheet);
+
+/// Whether two documents differ in what is saved and undone: `active` and `view` do not count.
+[[nodiscard]] bool sameContent(const Document& a, const Document& b);
+
+// What every kind of curve can do, for those that do not care about the kind. See elevation_edits.h for each.
+[[nodiscard]] const std::string& nameOf(const Curve& curve);
+[[nodiscard]] Curve renamed(Curve curve, std::string name);
+[[nodiscard]] const CurveView& viewOf(const Curve& curve);
+[[nodiscard]] Curve withView(Curve curve, CurveView view);
+[[nodiscard]] const CurveStyle& styleOf(const Curve& curve);
+[[nodiscard]] Curve withStyle(Curve curve, CurveStyle style);
+[[nodiscard]] bool isIncomplete(const Curve& curve);
+[[nodiscard]] std::size_t pointCount(const Curve& curve);
+[[nodiscard]] std::size_t derivedPointCount(const Curve& curve);
+[[nodiscard]] std::size_t mostPoints(const Curve& curve);
+[[nodiscard]] std::vector<Grip> grips(const Curve& curve);
+[[nodiscard]] Curve withGripsMoved(const Curve& curve, std::span<const GripId> ids, Vector by);
+[[nodiscard]] Edited<Curve> withPointAdded(const Curve& curve, Point at);
+[[nodiscard]] Edited<Curve> withPointsRemoved(const Curve& curve, const std::vector<int>& indices);
+[[nodiscard]] Edited<Curve> reversed(const Curve& curve);
+[[nodiscard]] std::span<const LayerInfo> layersOf(SheetIndex sheet);
+[[nodiscard]] Figure figureOf(const Curve& curve, const FigureContext& context);
+[[nodiscard]] std::vector<Result> results(const Curve& curve);
+
+/// The figure of a whole sheet under its view: what its canvas shows and an export draws.
+[[nodiscard]] Figure figureOf(const Sheet& sheet, SheetIndex index);
+
+} // namespace kriva

@@ -1,0 +1,133 @@
+#include "core/document/document_json.h"
+
+#include "core/document/style_json.h"
+
+#include <algorithm>
+
+namespace kriva {
+namespace {
+
+template <std::size_t... Index>
+SheetIndex activeSheet(const JsonNode& node, std::index_sequence<Index...>) {
+    return node.oneOf<SheetIndex>({{sheetName(Index), Index}...});
+}
+
+void checkLayers(const JsonNode& view, const SheetView& read, SheetIndex sheet) {
+    const auto table = layersOf(sheet);
+    for (const auto& [name, isShown] : read.layers) {
+        const bool isKnown =
+            std::any_of(table.begin(), table.end(), [&](const LayerInfo& l) { return l.name == name; });
+        if (!isKnown)
+            view.refuse(FileProblem::unknownKey, {}, {name});
+    }
+}
+
+void readSheet(const JsonNode& node, SheetIndex index, Sheet& sheet) {
+    const JsonObject object(node, {"curves", "view"});
+    if (const JsonNode* curves = object.find("curves")) {
+        sheet.curves.reserve(curves->listSize(limits::kCurvesInSheet));
+        curves->forEachElement([&](const JsonNode& element) {
+            Curve curve = emptyCurve(index);
+            std::visit([&](auto& c) { readCurve(element, c); }, curve);
+            sheet.curves.push_back(std::move(curve));
+        });
+    }
+    if (const JsonNode* view = object.find("view")) {
+        readView(*view, sheet.view);
+        checkLayers(*view, sheet.view, index);
+    }
+    const int lastCurve = std::max(0, static_cast<int>(sheet.curves.size()) - 1);
+    sheet.view.activeCurve = std::min(sheet.view.activeCurve, lastCurve);
+    if (std::optional<FileError> error = sheetLimitError(sheet, index))
+        throw Refused{std::move(*error)};
+}
+
+Document readChecked(const JsonTape& tape) {
+    const JsonNode root(tape);
+    const JsonObject object(root, {"format", "version", "title", "active", "sheets"});
+    const JsonNode& format = object.require("format");
+    if (format.text() != "kriva")
+        format.refuse(FileProblem::foreignFormat);
+    const JsonNode& version = object.require("version");
+    if (const int number = version.wholeNumber(1, static_cast<int>(limits::kNumber)); number > kFormatVersion)
+        version.refuse(FileProblem::unknownVersion, {static_cast<double>(number)});
+    Document document;
+    if (const JsonNode* title = object.find("title"))
+        document.title = title->text();
+    if (const JsonNode* active = object.find("active"))
+        document.active = activeSheet(*active, std::make_index_sequence<kSheetCount>());
+    if (const JsonNode* sheets = object.find("sheets")) {
+        sheets->forEachMember([&](std::string_view name, const JsonNode& node) {
+            const std::optional<SheetIndex> index = sheetNamed(name);
+            if (!index)
+                node.refuse(FileProblem::unknownKey);
+            readSheet(node, *index, document.sheets[*index]);
+        });
+    }
+    return document;
+}
+
+} // namespace
+
+std::variant<Document, FileError> readDocument(std::string_view text) {
+    if (text.size() > limits::kFileBytes) {
+        FileError error;
+        error.problem = FileProblem::tooLarge;
+        error.numbers = {static_cast<double>(limits::kFileBytes)};
+        return error;
+    }
+    std::variant<JsonTape, FileError> tape = parseJson(text);
+    if (FileError* error = std::get_if<FileError>(&tape))
+        return std::move(*error);
+    try {
+        return readChecked(std::get<JsonTape>(tape));
+    } catch (Refused& refused) {
+        return std::move(refused.error);
+    }
+}
+
+std::string writeDocument(const Document& document, int linesDownTo) {
+    JsonWriter json(JsonWriter::Digits::shortest, linesDownTo);
+    json.beginObject().member("format", "kriva").member("version", kFormatVersion);
+    json.member("title", std::string_view(document.title)).member("active", sheetName(document.active));
+    json.key("sheets").beginObject();
+    for (SheetIndex index = 0; index < kSheetCount; ++index) {
+        const Sheet& sheet = document.sheets[index];
+        if (sheet == Sheet{})
+            continue;
+        json.key(sheetName(index)).beginObject().key("curves").beginList();
+        for (const Curve& curve : sheet.curves)
+            std::visit([&](const auto& c) { writeCurve(json, c); }, curve);
+        json.endList();
+        if (sheet.view != SheetView{})
+            writeView(json, sheet.view);
+        json.endObject();
+    }
+    json.endObject().endObject();
+    return std::move(json).take();
+}
+
+std::optional<FileError> sheetLimitError(const Sheet& sheet, SheetIndex index) {
+    std::size_t points = 0;
+    std::size_t derived = 0;
+    for (const Curve& curve : sheet.curves) {
+        points += pointCount(curve);
+        derived += derivedPointCount(curve);
+    }
+    const auto tooMany = [&](std::size_t limit) {
+        FileError error;
+        error.problem = FileProblem::tooMany;
+        error.place = std::string("sheets.").append(sheetName(index)).append(".curves");
+        error.numbers = {static_cast<double>(limit)};
+        return error;
+    };
+    if (sheet.curves.size() > limits::kCurvesInSheet)
+        return tooMany(limits::kCurvesInSheet);
+    if (points > limits::kPointsInSheet)
+        return tooMany(limits::kPointsInSheet);
+    if (derived > limits::kDerivedPointsInSheet)
+        return tooMany(limits::kDerivedPointsInSheet);
+    return {};
+}
+
+} // namespace kriva

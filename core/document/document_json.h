@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/document/document.h"
+
+namespace kriva {
+
+/// The version that this reader understands up to and this writer writes.
+inline constexpr int kFormatVersion = 1;
+
+/// Reads a document, refusing what format.md does not allow with the place of the first fault.
+[[nodiscard]] std::variant<Document, FileError> readDocument(std::string_view text);
+
+/// The document as UTF-8 JSON; readDocument gives it back bit for bit. `linesDownTo` 0 writes one line.
+[[nodiscard]] std::string writeDocument(const Document& document, int linesDownTo = 5);
+
+/// Whether a sheet is within the limits that hold over all its curves together: nothing, or why not. `place` is the
+/// place of its curves in the document.
+[[nodiscard]] std::optional<FileError> sheetLimitError(const Sheet& sheet, SheetIndex index);
+
+} // namespace kriva

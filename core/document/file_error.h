@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace kriva {
+
+enum class FileProblem {
+    notJson,
+    nestedTooDeep,
+    foreignFormat,
+    unknownVersion,
+    unknownKey,
+    repeatedKey,
+    missingKey,
+    expectedObject,
+    expectedList,
+    expectedText,
+    expectedTrueOrFalse,
+    expectedNumber,
+    expectedWholeNumber,  ///< from numbers[0] to numbers[1]
+    numberOutOfRange,     ///< numbers[0] to numbers[1]
+    numberOutOfOpenRange, ///< between numbers[0] and numbers[1], both excluded
+    expectedTwoNumbers,
+    expectedOneOf, ///< words
+    expectedColor,
+    wrongCount, ///< numbers[0] expected
+    tooMany,    ///< more than numbers[0]
+    noSuchIndex,
+    tooLarge,         ///< the file, more than numbers[0] bytes
+    noDocumentInside, ///< an SVG without a document of Kriva
+    notXml,
+};
+
+/// Why a file was refused, and where: a path into the document (`sheets.spline.curves[0].knots[3].at`) or, where it
+/// is no JSON or XML, a line and a column counted from 1. Its sentence is made where languages are known.
+struct FileError {
+    FileProblem problem = FileProblem::notJson;
+    std::string place;
+    std::vector<double> numbers;
+    std::vector<std::string> words;
+    int line = 0;
+    int column = 0;
+    friend bool operator==(const FileError&, const FileError&) = default;
+};
+
+} // namespace kriva

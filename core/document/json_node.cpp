@@ -1,0 +1,154 @@
+#include "core/document/json_node.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace kriva {
+
+std::string JsonNode::place() const {
+    if (!parent_)
+        return {};
+    std::string place = parent_->place();
+    if (parent_->entry().kind == JsonKind::list) {
+        char digits[24];
+        const auto end = std::to_chars(digits, digits + sizeof digits, position_).ptr;
+        return place.append("[").append(digits, end).append("]");
+    }
+    if (!place.empty())
+        place += '.';
+    return place.append(key_);
+}
+
+void JsonNode::refuse(FileProblem problem, std::vector<double> numbers, std::vector<std::string> words) const {
+    FileError error;
+    error.problem = problem;
+    error.place = place();
+    error.numbers = std::move(numbers);
+    error.words = std::move(words);
+    throw Refused{std::move(error)};
+}
+
+std::string_view JsonNode::textAt(std::uint32_t index) const {
+    const auto text = tape_->entries[index].text;
+    return std::string_view(tape_->texts).substr(text.offset, text.size);
+}
+
+double JsonNode::number(double low, double high) const {
+    if (entry().kind != JsonKind::number)
+        refuse(FileProblem::expectedNumber);
+    if (!(entry().number >= low && entry().number <= high))
+        refuse(FileProblem::numberOutOfRange, {low, high});
+    return entry().number;
+}
+
+double JsonNode::numberBetween(double low, double high) const {
+    if (entry().kind != JsonKind::number)
+        refuse(FileProblem::expectedNumber);
+    if (!(entry().number > low && entry().number < high))
+        refuse(FileProblem::numberOutOfOpenRange, {low, high});
+    return entry().number;
+}
+
+int JsonNode::wholeNumber(int low, int high) const {
+    const bool isWhole = entry().kind == JsonKind::number && entry().number == std::trunc(entry().number);
+    if (!isWhole || !(entry().number >= low && entry().number <= high))
+        refuse(FileProblem::expectedWholeNumber, {static_cast<double>(low), static_cast<double>(high)});
+    return static_cast<int>(entry().number);
+}
+
+bool JsonNode::trueOrFalse() const {
+    if (entry().kind != JsonKind::boolean)
+        refuse(FileProblem::expectedTrueOrFalse);
+    return entry().number != 0;
+}
+
+std::string JsonNode::text() const {
+    if (entry().kind != JsonKind::text || textAt(index_).find('\0') != std::string_view::npos)
+        refuse(FileProblem::expectedText);
+    return std::string(textAt(index_));
+}
+
+Vector JsonNode::vector() const {
+    const auto& entries = tape_->entries;
+    const bool isPair = entry().kind == JsonKind::list && entry().next == index_ + 3 &&
+                        entries[index_ + 1].kind == JsonKind::number && entries[index_ + 2].kind == JsonKind::number;
+    if (!isPair)
+        refuse(FileProblem::expectedTwoNumbers);
+    const Vector value{entries[index_ + 1].number, entries[index_ + 2].number};
+    if (!(std::abs(value.x) <= limits::kNumber && std::abs(value.y) <= limits::kNumber))
+        refuse(FileProblem::numberOutOfRange, {-limits::kNumber, limits::kNumber});
+    return value;
+}
+
+Point JsonNode::point() const {
+    return Point{} + vector();
+}
+
+Points JsonNode::points(std::size_t atMost) const {
+    Points points;
+    points.reserve(listSize(atMost));
+    forEachElement([&](const JsonNode& element) { points.push_back(element.point()); });
+    return points;
+}
+
+std::size_t JsonNode::listSize(std::size_t atMost) const {
+    std::size_t size = 0;
+    forEachElement([&](const JsonNode&) {
+        if (++size > atMost)
+            refuse(FileProblem::tooMany, {static_cast<double>(atMost)});
+    });
+    return size;
+}
+
+std::vector<std::pair<std::string_view, JsonNode>> JsonNode::members() const {
+    if (entry().kind != JsonKind::object)
+        refuse(FileProblem::expectedObject);
+    std::vector<std::pair<std::string_view, JsonNode>> members;
+    for (std::uint32_t i = index_ + 1; i < entry().next; i = tape_->entries[i + 1].next) {
+        JsonNode member(*tape_, i + 1, this);
+        member.key_ = textAt(i);
+        members.emplace_back(member.key_, member);
+    }
+    std::vector<std::string_view> keys;
+    keys.reserve(members.size());
+    for (const auto& [key, member] : members)
+        keys.push_back(key);
+    std::sort(keys.begin(), keys.end());
+    if (const auto twice = std::adjacent_find(keys.begin(), keys.end()); twice != keys.end())
+        std::find_if(members.begin(), members.end(), [&](const auto& m) {
+            return m.first == *twice;
+        })->second.refuse(FileProblem::repeatedKey);
+    return members;
+}
+
+std::size_t JsonNode::indexOfKey(std::optional<std::size_t> count) const {
+    std::size_t index = 0;
+    const auto [end, error] = std::from_chars(key_.data(), key_.data() + key_.size(), index);
+    const bool isDecimal =
+        error == std::errc() && end == key_.data() + key_.size() && (key_.size() == 1 || key_[0] != '0');
+    if (!isDecimal || index >= count.value_or(limits::kPointsInCurve))
+        refuse(FileProblem::noSuchIndex);
+    return index;
+}
+
+JsonObject::JsonObject(const JsonNode& node, std::initializer_list<std::string_view> keys)
+    : node_(&node)
+    , members_(node.members()) {
+    for (const auto& [key, member] : members_)
+        if (std::find(keys.begin(), keys.end(), key) == keys.end())
+            member.refuse(FileProblem::unknownKey);
+}
+
+const JsonNode* JsonObject::find(std::string_view key) const {
+    const auto found = std::find_if(members_.begin(), members_.end(), [&](const auto& m) { return m.first == key; });
+    return found == members_.end() ? nullptr : &found->second;
+}
+
+const JsonNode& JsonObject::require(std::string_view key) const {
+    if (const JsonNode* found = find(key))
+        return *found;
+    node_->refuse(FileProblem::missingKey, {}, {std::string(key)});
+}
+
+} // namespace kriva

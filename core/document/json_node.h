@@ -1,0 +1,123 @@
+#pragma once
+
+#include "core/document/json_tape.h"
+#include "core/document/limits.h"
+#include "core/geometry/point.h"
+
+#include <initializer_list>
+#include <optional>
+#include <utility>
+
+namespace kriva {
+
+/// Thrown by the readers below and caught by readDocument: it never leaves core.
+struct Refused {
+    FileError error;
+};
+
+/// A value of a parsed document together with its place. Every reading function refuses what it does not expect.
+/// A node refers to its parent, which must outlive it.
+class JsonNode {
+  public:
+    explicit JsonNode(const JsonTape& tape)
+        : tape_(&tape) {}
+
+    [[nodiscard]] std::string place() const;
+    [[nodiscard]] double number(double low = -limits::kNumber, double high = limits::kNumber) const;
+    /// Strictly between low and high.
+    [[nodiscard]] double numberBetween(double low, double high) const;
+    /// 5.0 is a whole number; 2.5 and true are not.
+    [[nodiscard]] int wholeNumber(int low, int high) const;
+    [[nodiscard]] bool trueOrFalse() const;
+    [[nodiscard]] std::string text() const;
+    [[nodiscard]] Point point() const;
+    [[nodiscard]] Vector vector() const;
+    [[nodiscard]] Points points(std::size_t atMost = limits::kPointsInCurve) const;
+    /// One of the words of a table.
+    template <class Value>
+    [[nodiscard]] Value oneOf(std::initializer_list<std::pair<std::string_view, Value>> table) const;
+
+    /// Refuses what is no list, or one with more elements than that.
+    [[nodiscard]] std::size_t listSize(std::size_t atMost) const;
+    /// Calls visit(JsonNode element) for each element of a list.
+    template <class Visit>
+    void forEachElement(Visit visit) const;
+    /// Calls visit(std::string_view key, JsonNode member) for each member of an object; refuses repeated keys.
+    template <class Visit>
+    void forEachMember(Visit visit) const;
+    /// As forEachMember, for an object whose keys are indices from 0 to below `count`, decimal without leading zero;
+    /// with count nothing, any index below the largest number of points is accepted.
+    template <class Visit>
+    void forEachIndexed(std::optional<std::size_t> count, Visit visit) const;
+
+    [[noreturn]] void refuse(FileProblem problem, std::vector<double> numbers = {},
+                             std::vector<std::string> words = {}) const;
+
+  private:
+    JsonNode(const JsonTape& tape, std::uint32_t index, const JsonNode* parent)
+        : tape_(&tape)
+        , index_(index)
+        , parent_(parent) {}
+    friend class JsonObject;
+
+    [[nodiscard]] const JsonEntry& entry() const { return tape_->entries[index_]; }
+    [[nodiscard]] std::string_view textAt(std::uint32_t index) const;
+    [[nodiscard]] std::vector<std::pair<std::string_view, JsonNode>> members() const;
+    [[nodiscard]] std::size_t indexOfKey(std::optional<std::size_t> count) const;
+
+    const JsonTape* tape_;
+    std::uint32_t index_ = 0;
+    const JsonNode* parent_ = nullptr;
+    std::string_view key_;     ///< of a member
+    std::size_t position_ = 0; ///< of an element
+};
+
+/// An object whose keys are all known beforehand; refuses unknown and repeated ones.
+class JsonObject {
+  public:
+    JsonObject(const JsonNode& node, std::initializer_list<std::string_view> keys);
+
+    [[nodiscard]] const JsonNode* find(std::string_view key) const;
+    [[nodiscard]] const JsonNode& require(std::string_view key) const;
+
+  private:
+    const JsonNode* node_;
+    std::vector<std::pair<std::string_view, JsonNode>> members_;
+};
+
+template <class Value>
+Value JsonNode::oneOf(std::initializer_list<std::pair<std::string_view, Value>> table) const {
+    std::vector<std::string> words;
+    for (const auto& [word, value] : table) {
+        if (entry().kind == JsonKind::text && textAt(index_) == word)
+            return value;
+        words.emplace_back(word);
+    }
+    refuse(FileProblem::expectedOneOf, {}, std::move(words));
+}
+
+template <class Visit>
+void JsonNode::forEachElement(Visit visit) const {
+    if (entry().kind != JsonKind::list)
+        refuse(FileProblem::expectedList);
+    std::size_t position = 0;
+    for (std::uint32_t i = index_ + 1; i < entry().next; i = tape_->entries[i].next) {
+        JsonNode element(*tape_, i, this);
+        element.position_ = position++;
+        visit(std::as_const(element));
+    }
+}
+
+template <class Visit>
+void JsonNode::forEachMember(Visit visit) const {
+    for (const auto& [key, member] : members())
+        visit(key, member);
+}
+
+template <class Visit>
+void JsonNode::forEachIndexed(std::optional<std::size_t> count, Visit visit) const {
+    for (const auto& [key, member] : members())
+        visit(static_cast<int>(member.indexOfKey(count)), member);
+}
+
+} // namespace kriva

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+
+/// The limits of the model, the same for files, the window and the command line.
+namespace kriva::limits {
+
+inline constexpr std::size_t kFileBytes = 64u << 20;
+inline constexpr int kNesting = 64;
+inline constexpr double kNumber = 1e9; ///< largest absolute value of any number
+inline constexpr std::size_t kPointsInCurve = 100'000;
+inline constexpr std::size_t kCurvesInSheet = 1'000;
+inline constexpr std::size_t kPointsInSheet = 1'000'000;
+inline constexpr std::size_t kDerivedPointsInSheet = 2'000'000; ///< elevated points, or points of all pieces
+inline constexpr std::size_t kControlPoints = 201; ///< where one polynomial runs through all, multiplicities counted
+inline constexpr int kElevations = 10'000;
+inline constexpr int kLevels = 16;
+inline constexpr int kSplineDegreeLow = 2;
+inline constexpr int kSplineDegreeHigh = 5;
+inline constexpr int kFitDegreeLow = 1;
+inline constexpr int kFitDegreeHigh = 9;
+inline constexpr std::size_t kReportedSegments = 20'000;
+
+} // namespace kriva::limits

@@ -1,0 +1,72 @@
+#include "core/document/report.h"
+
+namespace kriva {
+namespace {
+
+template <class C>
+std::vector<const C*> curvesOf(const Sheet& sheet) {
+    std::vector<const C*> curves;
+    for (const Curve& curve : sheet.curves)
+        curves.push_back(&std::get<C>(curve));
+    return curves;
+}
+
+template <class C>
+void reportSheetOf(JsonWriter& json, const Sheet& sheet) {
+    const std::vector<const C*> curves = curvesOf<C>(sheet);
+    json.key("curves").beginList();
+    for (const C* curve : curves) {
+        json.beginObject().member("name", std::string_view(curve->name));
+        if (isIncomplete(*curve))
+            json.member("incomplete", true);
+        else
+            reportCurve(json, *curve);
+        json.endObject();
+    }
+    json.endList();
+    // Only some sheets tell something about all their curves together.
+    if constexpr (requires { reportTogether(json, std::span<const C* const>(curves)); })
+        reportTogether(json, std::span<const C* const>(curves));
+}
+
+bool isReported(SheetIndex sheet, std::optional<SheetIndex> only) {
+    return !only || *only == sheet;
+}
+
+} // namespace
+
+std::variant<std::string, FileError> reportJson(const Document& document, std::string_view file,
+                                                std::optional<SheetIndex> only) {
+    if (std::optional<FileError> error = reportLimitError(document, only))
+        return std::move(*error);
+    JsonWriter json(JsonWriter::Digits::seventeen);
+    json.beginObject().member("format", "kriva-report").member("version", kReportVersion).member("document", file);
+    json.key("sheets").beginObject();
+    for (SheetIndex index = 0; index < kSheetCount; ++index) {
+        if (!isReported(index, only))
+            continue;
+        json.key(sheetName(index)).beginObject();
+        std::visit([&]<class C>(const C&) { reportSheetOf<C>(json, document.sheets[index]); }, emptyCurve(index));
+        json.endObject();
+    }
+    json.endObject().endObject();
+    return std::move(json).take();
+}
+
+std::optional<FileError> reportLimitError(const Document& document, std::optional<SheetIndex> only) {
+    for (SheetIndex index = 0; index < kSheetCount; ++index) {
+        std::size_t segments = 0;
+        for (const Curve& curve : document.sheets[index].curves)
+            segments += std::visit([](const auto& c) { return reportedSegments(c); }, curve);
+        if (isReported(index, only) && segments > limits::kReportedSegments) {
+            FileError error;
+            error.problem = FileProblem::tooMany;
+            error.place = std::string("sheets.").append(sheetName(index)).append(".curves");
+            error.numbers = {static_cast<double>(limits::kReportedSegments)};
+            return error;
+        }
+    }
+    return {};
+}
+
+} // namespace kriva

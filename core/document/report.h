@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/document/document.h"
+
+namespace kriva {
+
+inline constexpr int kReportVersion = 1;
+
+/// The report of a document as JSON, numbers with 17 significant digits; `file` is its name without the folder.
+/// With `only`, just that sheet. Refuses documents whose results would be beyond the limits of a report.
+[[nodiscard]] std::variant<std::string, FileError> reportJson(const Document& document, std::string_view file,
+                                                              std::optional<SheetIndex> only = {});
+
+/// Why a report of the document is refused; nothing where it is not.
+[[nodiscard]] std::optional<FileError> reportLimitError(const Document& document, std::optional<SheetIndex> only = {});
+
+} // namespace kriva

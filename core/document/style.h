@@ -1,0 +1,40 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+/// What changes how a figure looks and never a number in the report. The keys on disk are listed in ARCHITECTURE.md.
+namespace kriva {
+
+struct Color {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+    friend constexpr bool operator==(const Color&, const Color&) = default;
+};
+
+/// Undone like points; what is not set follows the role's style.
+struct CurveStyle {
+    std::optional<Color> color;
+    std::optional<double> width; ///< of the curve's line, in points
+    friend bool operator==(const CurveStyle&, const CurveStyle&) = default;
+};
+
+/// Saved, but never undone and never a modification.
+struct CurveView {
+    bool isShown = true;
+    friend bool operator==(const CurveView&, const CurveView&) = default;
+};
+
+/// Saved, but never undone and never a modification.
+struct SheetView {
+    int activeCurve = 0;
+    std::map<std::string, bool> layers; ///< by layer name, where it differs from the layer's default
+    std::optional<double> mmPerUnit;    ///< scale of the page; by default its longer side is 120 mm
+    friend bool operator==(const SheetView&, const SheetView&) = default;
+};
+
+} // namespace kriva

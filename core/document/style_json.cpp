@@ -1,0 +1,71 @@
+#include "core/document/style_json.h"
+
+#include "core/figure/color.h"
+
+namespace kriva {
+namespace {
+
+constexpr double kWidthLow = 0.05; // points: thinner than any printer draws
+constexpr double kWidthHigh = 20;
+constexpr double kScaleLow = 1e-12;
+constexpr double kScaleHigh = 1e9;
+
+} // namespace
+
+void readStyle(const JsonNode& node, CurveStyle& style) {
+    const JsonObject object(node, {"color", "width"});
+    if (const JsonNode* color = object.find("color")) {
+        style.color = colorFromHex(color->text());
+        if (!style.color)
+            color->refuse(FileProblem::expectedColor);
+    }
+    if (const JsonNode* width = object.find("width"))
+        style.width = width->number(kWidthLow, kWidthHigh);
+}
+
+void readView(const JsonNode& node, CurveView& view) {
+    const JsonObject object(node, {"shown"});
+    if (const JsonNode* shown = object.find("shown"))
+        view.isShown = shown->trueOrFalse();
+}
+
+void readView(const JsonNode& node, SheetView& view) {
+    const JsonObject object(node, {"activeCurve", "layers", "mmPerUnit"});
+    if (const JsonNode* active = object.find("activeCurve"))
+        view.activeCurve = active->wholeNumber(0, static_cast<int>(limits::kCurvesInSheet) - 1);
+    if (const JsonNode* layers = object.find("layers"))
+        layers->forEachMember(
+            [&](std::string_view name, const JsonNode& isShown) { view.layers.emplace(name, isShown.trueOrFalse()); });
+    if (const JsonNode* scale = object.find("mmPerUnit"))
+        view.mmPerUnit = scale->number(kScaleLow, kScaleHigh);
+}
+
+void writeStyle(JsonWriter& json, const CurveStyle& style) {
+    json.key("style").beginObject();
+    if (style.color)
+        json.member("color", std::string_view(hexOf(*style.color)));
+    if (style.width)
+        json.member("width", *style.width);
+    json.endObject();
+}
+
+void writeView(JsonWriter& json, const CurveView& view) {
+    json.key("view").beginObject().member("shown", view.isShown).endObject();
+}
+
+void writeView(JsonWriter& json, const SheetView& view) {
+    json.key("view").beginObject();
+    if (view.activeCurve != 0)
+        json.member("activeCurve", view.activeCurve);
+    if (!view.layers.empty()) {
+        json.key("layers").beginObject();
+        for (const auto& [name, isShown] : view.layers)
+            json.member(name, isShown);
+        json.endObject();
+    }
+    if (view.mmPerUnit)
+        json.member("mmPerUnit", *view.mmPerUnit);
+    json.endObject();
+}
+
+} // namespace kriva

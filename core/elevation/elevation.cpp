@@ -1,0 +1,14 @@
+#include "core/elevation/elevation.h"
+
+#include "core/bezier/elevate.h"
+
+namespace kriva {
+
+Elevation elevate(const ElevationCurve& curve) {
+    Elevation result;
+    result.polygon = elevated(curve.points, curve.times);
+    result.gap = elevationGap(curve.points, result.polygon);
+    return result;
+}
+
+} // namespace kriva

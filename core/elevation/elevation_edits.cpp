@@ -1,0 +1,47 @@
+#include "core/elevation/elevation_edits.h"
+
+#include "core/document/limits.h"
+
+#include <algorithm>
+
+namespace kriva {
+
+std::vector<Grip> grips(const ElevationCurve& curve) {
+    std::vector<Grip> all;
+    all.reserve(curve.points.size());
+    for (const Point p : curve.points)
+        all.push_back({{GripKind::point, static_cast<int>(all.size())}, p});
+    return all;
+}
+
+std::size_t mostPoints(const ElevationCurve&) {
+    return limits::kControlPoints;
+}
+
+ElevationCurve withGripsMoved(const ElevationCurve& curve, std::span<const GripId> ids, Vector by) {
+    ElevationCurve moved = curve;
+    for (const GripId& id : ids)
+        if (id.kind == GripKind::point && static_cast<std::size_t>(id.index) < moved.points.size())
+            moved.points[static_cast<std::size_t>(id.index)] = curve.points[static_cast<std::size_t>(id.index)] + by;
+    return moved;
+}
+
+Edited<ElevationCurve> withPointAdded(const ElevationCurve& curve, Point at) {
+    Edited<ElevationCurve> edited{curve, {}};
+    edited.curve.points.push_back(at);
+    return edited;
+}
+
+Edited<ElevationCurve> withPointsRemoved(const ElevationCurve& curve, const std::vector<int>& indices) {
+    Edited<ElevationCurve> edited{curve, mapWithout(static_cast<int>(curve.points.size()), indices)};
+    edited.curve.points = without(curve.points, indices);
+    return edited;
+}
+
+Edited<ElevationCurve> reversed(const ElevationCurve& curve) {
+    Edited<ElevationCurve> edited{curve, mapReversed(static_cast<int>(curve.points.size()))};
+    std::reverse(edited.curve.points.begin(), edited.curve.points.end());
+    return edited;
+}
+
+} // namespace kriva

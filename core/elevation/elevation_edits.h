@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/document/edited.h"
+#include "core/document/grip.h"
+#include "core/elevation/elevation.h"
+
+/// The edits of an elevation curve. Every sheet's curve has the same set, found by overloading.
+namespace kriva {
+
+/// Everything that can be dragged, points first, in their order.
+[[nodiscard]] std::vector<Grip> grips(const ElevationCurve& curve);
+
+/// The points of the Points table.
+[[nodiscard]] inline std::size_t pointCount(const ElevationCurve& curve) {
+    return curve.points.size();
+}
+/// How many points its results hold: they are limited over the whole sheet.
+[[nodiscard]] inline std::size_t derivedPointCount(const ElevationCurve& curve) {
+    return isIncomplete(curve) ? 0 : curve.points.size() + static_cast<std::size_t>(curve.times);
+}
+/// The most points that a curve of this kind may have.
+[[nodiscard]] std::size_t mostPoints(const ElevationCurve& curve);
+
+/// All the named grips moved by the same vector; grips that do not exist are passed over.
+[[nodiscard]] ElevationCurve withGripsMoved(const ElevationCurve& curve, std::span<const GripId> ids, Vector by);
+[[nodiscard]] Edited<ElevationCurve> withPointAdded(const ElevationCurve& curve, Point at);
+/// `indices` ascending. The degree falls.
+[[nodiscard]] Edited<ElevationCurve> withPointsRemoved(const ElevationCurve& curve, const std::vector<int>& indices);
+[[nodiscard]] Edited<ElevationCurve> reversed(const ElevationCurve& curve);
+
+} // namespace kriva

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/document/json_node.h"
+#include "core/document/json_writer.h"
+#include "core/document/results.h"
+#include "core/elevation/elevation.h"
+
+namespace kriva {
+
+/// Reads a curve of the sheet `elevation`; refuses what format.md does not allow.
+void readCurve(const JsonNode& node, ElevationCurve& curve);
+/// Writes the keys that differ from their defaults.
+void writeCurve(JsonWriter& json, const ElevationCurve& curve);
+
+} // namespace kriva

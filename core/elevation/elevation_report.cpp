@@ -1,0 +1,31 @@
+#include "core/elevation/elevation_report.h"
+
+#include "core/bezier/arc_length.h"
+#include "core/bezier/bounds.h"
+
+namespace kriva {
+
+void reportCurve(JsonWriter& json, const ElevationCurve& curve) {
+    const Elevation elevation = elevate(curve);
+    json.member("degree", static_cast<int>(curve.points.size()) - 1)
+        .member("length", arcLength(curve.points))
+        .member("bounds", tightBounds(curve.points));
+    json.key("elevated")
+        .beginObject()
+        .member("times", curve.times)
+        .member("degree", static_cast<int>(elevation.polygon.size()) - 1)
+        .member("points", elevation.polygon)
+        .member("gap", elevation.gap)
+        .endObject();
+}
+
+std::vector<Result> results(const ElevationCurve& curve) {
+    const Elevation elevation = elevate(curve);
+    return {{Caption::degree, "", static_cast<int>(curve.points.size()) - 1},
+            {Caption::length, "", arcLength(curve.points)},
+            {Caption::bounds, "", tightBounds(curve.points)},
+            {Caption::elevatedDegree, "", static_cast<int>(elevation.polygon.size()) - 1},
+            {Caption::gap, "", elevation.gap}};
+}
+
+} // namespace kriva

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/document/json_writer.h"
+#include "core/document/results.h"
+#include "core/elevation/elevation.h"
+
+namespace kriva {
+
+/// How many segments its report lists: they are limited over the whole sheet. Only splines have any.
+[[nodiscard]] inline std::size_t reportedSegments(const ElevationCurve&) {
+    return 0;
+}
+/// The members of a complete curve in the report, after its name.
+void reportCurve(JsonWriter& json, const ElevationCurve& curve);
+/// The same numbers as rows for people.
+[[nodiscard]] std::vector<Result> results(const ElevationCurve& curve);
+
+} // namespace kriva

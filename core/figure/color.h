@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/document/style.h"
+
+#include <string>
+#include <string_view>
+
+namespace kriva {
+
+/// "#0072b2"
+[[nodiscard]] std::string hexOf(Color color);
+
+/// Nothing where the text is no `#` with six hexadecimal digits.
+[[nodiscard]] std::optional<Color> colorFromHex(std::string_view text);
+
+} // namespace kriva

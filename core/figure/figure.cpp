@@ -1,0 +1,78 @@
+#include "core/figure/figure.h"
+
+#include <iterator>
+
+namespace kriva {
+namespace {
+
+template <class Element>
+void append(std::vector<Element>& to, std::vector<Element>&& from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+} // namespace
+
+Path chain(const std::vector<Points>& pieces, bool isClosed) {
+    Path path;
+    path.isClosed = isClosed;
+    for (const Points& piece : pieces) {
+        if (path.points.empty())
+            path.points.push_back(piece.front());
+        path.points.insert(path.points.end(), piece.begin() + 1, piece.end());
+        path.degrees.push_back(static_cast<int>(piece.size()) - 1);
+    }
+    return path;
+}
+
+Figure united(std::vector<Figure> figures, std::span<const LayerInfo> order) {
+    Figure result;
+    for (const LayerInfo& info : order) {
+        Layer layer;
+        layer.name = info.name;
+        bool isThere = false;
+        for (Figure& figure : figures) {
+            for (Layer& part : figure.layers) {
+                if (part.name != info.name)
+                    continue;
+                isThere = true;
+                append(layer.strokes, std::move(part.strokes));
+                append(layer.marks, std::move(part.marks));
+                append(layer.labels, std::move(part.labels));
+            }
+        }
+        if (isThere)
+            result.layers.push_back(std::move(layer));
+    }
+    return result;
+}
+
+bool isShown(const LayerInfo& layer, const SheetView& view) {
+    const auto stored = view.layers.find(std::string(layer.name));
+    return stored == view.layers.end() ? layer.isShownAtFirst : stored->second;
+}
+
+Figure shownLayers(Figure figure, std::span<const LayerInfo> table, const SheetView& view,
+                   const FigureContext& context) {
+    std::erase_if(figure.layers, [&](const Layer& layer) {
+        for (const LayerInfo& info : table)
+            if (info.name == layer.name)
+                return !isShown(info, view) || (info.isOfActiveCurve && !context.isActive);
+        return false;
+    });
+    return figure;
+}
+
+Box controlBox(const Figure& figure) {
+    Box box;
+    for (const Layer& layer : figure.layers) {
+        for (const Stroke& stroke : layer.strokes)
+            box = united(box, boxOf(stroke.path.points));
+        for (const Marks& marks : layer.marks)
+            box = united(box, boxOf(marks.at));
+        for (const Label& label : layer.labels)
+            extend(box, label.at);
+    }
+    return box;
+}
+
+} // namespace kriva

@@ -1,0 +1,126 @@
+#pragma once
+
+#include "core/document/style.h"
+#include "core/figure/caption.h"
+#include "core/geometry/box.h"
+
+#include <string>
+#include <string_view>
+
+/// What is drawn, as plain values in document coordinates. The canvas and every exporter draw the same figure.
+namespace kriva {
+
+/// What a line, mark or label stands for; its colours, widths and markers are in role_style.h.
+enum class Role {
+    curve,
+    controlPolygon,
+    derivedPolygon,
+    construction, ///< series: the level of the scheme
+    left,
+    right,
+    point,
+    knot,
+    handle,
+    join,
+    run, ///< series: the number of the run
+    curvePoint,
+    derivative,
+    label,
+};
+
+/// A chain of Bézier pieces of any degrees: piece i has degrees[i] + 1 points and starts where the one before ended.
+struct Path {
+    Points points;
+    std::vector<int> degrees;
+    bool isClosed = false;
+    friend bool operator==(const Path&, const Path&) = default;
+};
+
+[[nodiscard]] inline Path polyline(std::span<const Point> points) {
+    return {Points(points.begin(), points.end()), std::vector<int>(points.empty() ? 0 : points.size() - 1, 1), false};
+}
+[[nodiscard]] inline Path singleCurve(std::span<const Point> controlPoints) {
+    return {Points(controlPoints.begin(), controlPoints.end()), {static_cast<int>(controlPoints.size()) - 1}, false};
+}
+/// The chain of pieces, each starting where the one before ended.
+[[nodiscard]] Path chain(const std::vector<Points>& pieces, bool isClosed);
+/// The pieces of a path, one after the other: visit(std::span<const Point> controlPoints).
+template <class Visit>
+void forEachPiece(const Path& path, Visit visit) {
+    std::size_t start = 0;
+    for (const int degree : path.degrees) {
+        visit(std::span<const Point>(path.points).subspan(start, static_cast<std::size_t>(degree) + 1));
+        start += static_cast<std::size_t>(degree);
+    }
+}
+
+struct Stroke {
+    Path path;
+    Role role = Role::curve;
+    int series = 0;
+    double strength = 1;   ///< from 0, invisible, to 1: polygons of earlier stages fade
+    CurveStyle style = {}; ///< replaces the role's where set
+    friend bool operator==(const Stroke&, const Stroke&) = default;
+};
+
+/// Marks of one kind at many places.
+struct Marks {
+    Points at;
+    Role role = Role::point;
+    int series = 0;
+    friend bool operator==(const Marks&, const Marks&) = default;
+};
+
+/// A letter with an index ("b" with "3" below), a caption, or a number, beside a point.
+struct Label {
+    Point at;
+    Caption caption = Caption::none;
+    std::string text;
+    std::string subscript;
+    Role role = Role::label;
+    friend bool operator==(const Label&, const Label&) = default;
+};
+
+struct Layer {
+    std::string_view name; ///< stable ASCII, from the table of layers of its sheet
+    std::vector<Stroke> strokes = {};
+    std::vector<Marks> marks = {};
+    std::vector<Label> labels = {};
+    friend bool operator==(const Layer&, const Layer&) = default;
+};
+
+/// Layers from the lowest to the topmost, in the order of the sheet's table.
+struct Figure {
+    std::vector<Layer> layers;
+    friend bool operator==(const Figure&, const Figure&) = default;
+};
+
+/// One row of a sheet's table of layers.
+struct LayerInfo {
+    std::string_view name;
+    Caption caption = Caption::none;
+    bool isShownAtFirst = true;
+    bool isOfActiveCurve = false; ///< derived layers are drawn for the active curve only
+};
+
+/// How one curve of a sheet enters the figure.
+struct FigureContext {
+    int curve = 0; ///< index in the sheet
+    bool isActive = true;
+};
+
+/// The layers of several figures of one sheet, united by name.
+[[nodiscard]] Figure united(std::vector<Figure> figures, std::span<const LayerInfo> order);
+
+/// Whether a layer is shown under the view of its sheet.
+[[nodiscard]] bool isShown(const LayerInfo& layer, const SheetView& view);
+
+/// The figure without the layers that the view hides and, for a curve that is not the active one, without those of
+/// the active curve.
+[[nodiscard]] Figure shownLayers(Figure figure, std::span<const LayerInfo> table, const SheetView& view,
+                                 const FigureContext& context);
+
+/// The box of all control points of strokes, marks and labels.
+[[nodiscard]] Box controlBox(const Figure& figure);
+
+} // namespace kriva
