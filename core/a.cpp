@@ -1,0 +1,1 @@
+namespace kriva { int g(); int g() { return 1; } }

@@ -1,0 +1,29 @@
+#include <gtest/gtest.h>
+#include <QApplication>
+#include <QFont>
+#include <QTemporaryDir>
+
+namespace {
+
+/// No test reads or leaves anything in the home of the person who runs it.
+void moveHomeTo(const QByteArray& folder) {
+    for (const char* name :
+         {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR"}) {
+        qputenv(name, folder);
+    }
+}
+
+} // namespace
+
+// Widgets look the same on every machine: no display, one style, one font, one scale.
+int main(int argc, char** argv) {
+    testing::InitGoogleTest(&argc, argv);
+    const QTemporaryDir home;
+    moveHomeTo(home.path().toUtf8());
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    qputenv("QT_SCALE_FACTOR", "1");
+    QApplication application(argc, argv);
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    QApplication::setFont(QFont(QStringLiteral("DejaVu Sans"), 10));
+    return RUN_ALL_TESTS();
+}
