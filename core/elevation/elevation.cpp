@@ -7,7 +7,7 @@ namespace kriva {
 Elevation elevate(const ElevationCurve& curve) {
     Elevation result;
     result.polygon = elevated(curve.points, curve.times);
-    result.gap = elevationGap(curve.points, result.polygon);
+    result.gap = elevationGap(curve.points, curve.times);
     return result;
 }
 

@@ -1,0 +1,63 @@
+#include "core/bezier/cubic_pieces.h"
+
+#include "core/bezier/elevate.h"
+#include "core/bezier/subdivide.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+namespace kriva {
+
+namespace {
+
+Cubic asCubic(std::span<const Point> curve) {
+    const Points raised = elevated(curve, static_cast<int>(4 - curve.size()));
+    return {raised[0], raised[1], raised[2], raised[3]};
+}
+
+/// The cubic with the ends and the end derivatives of the curve.
+Cubic hermiteCubic(std::span<const Point> curve) {
+    const double third = static_cast<double>(curve.size() - 1) / 3;
+    const Point start = curve.front();
+    const Point end = curve.back();
+    return {start, start + third * (curve[1] - start), end - third * (end - curve[curve.size() - 2]), end};
+}
+
+/// A bound of the distance at the same parameter: the difference of two curves of one degree lies in the hull of the
+/// differences of their control points.
+double deviation(std::span<const Point> curve, const Cubic& cubic) {
+    const Points raised = elevated(cubic, static_cast<int>(curve.size()) - 4);
+    double largest = 0;
+    for (std::size_t i = 0; i < curve.size(); ++i)
+        largest = std::max(largest, distance(curve[i], raised[i]));
+    return largest;
+}
+
+void append(std::span<const Point> curve, double tolerance, int depth, std::vector<Cubic>& result) {
+    const Cubic cubic = hermiteCubic(curve);
+    if (depth == 0 || deviation(curve, cubic) <= tolerance) {
+        result.push_back(cubic);
+        return;
+    }
+    const Halves halves = split(curve, 0.5);
+    append(halves.left, tolerance, depth - 1, result);
+    append(halves.right, tolerance, depth - 1, result);
+}
+
+} // namespace
+
+std::vector<Cubic> cubicPieces(std::span<const Point> curve, Tolerance tolerance) {
+    assert(!curve.empty());
+    if (curve.size() <= 4)
+        return {asCubic(curve)};
+    double largest = 0;
+    for (const Point p : curve)
+        largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    const double rounding = 4 * static_cast<double>(curve.size()) * std::numeric_limits<double>::epsilon() * largest;
+    std::vector<Cubic> result;
+    append(curve, std::max(tolerance.distance, rounding), kDeepestCubicPiece, result);
+    return result;
+}
+
+} // namespace kriva

@@ -1,0 +1,34 @@
+#include "core/bezier/curvature.h"
+
+#include "core/bezier/evaluate.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace kriva {
+
+std::optional<double> curvature(std::span<const Point> curve, double t) {
+    const Vector velocity = derivative(curve, t);
+    const double speed = length(velocity);
+    if (speed == 0)
+        return std::nullopt;
+    // Divided step by step: the cube of a tiny speed would vanish.
+    return cross(velocity / speed, secondDerivative(curve, t) / speed) / speed;
+}
+
+std::optional<Vector> startTangent(std::span<const Point> curve) {
+    assert(!curve.empty());
+    const auto next = std::ranges::find_if(curve, [&](Point p) { return p != curve.front(); });
+    if (next == curve.end())
+        return std::nullopt;
+    const Vector towards = *next - curve.front();
+    return towards / length(towards);
+}
+
+std::optional<Vector> endTangent(std::span<const Point> curve) {
+    const Points reversed(curve.rbegin(), curve.rend());
+    const auto tangent = startTangent(reversed);
+    return tangent ? std::optional(-*tangent) : std::nullopt;
+}
+
+} // namespace kriva

@@ -1,0 +1,72 @@
+#include "core/bezier/gauss_legendre.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <numbers>
+
+namespace kriva {
+
+namespace {
+
+constexpr std::array kSizes{8, 12, 16, 24, 32, 48, 64, 96, 128};
+
+constexpr long double cosine(long double angle) {
+    long double sum = 1;
+    long double term = 1;
+    // 0 <= angle <= pi / 2: fifteen terms of the series reach the last place.
+    for (int k = 1; k <= 30; k += 2)
+        sum += term *= -angle * angle / static_cast<long double>(k * (k + 1));
+    return sum;
+}
+
+/// The k-th positive root of the Legendre polynomial of degree n, counted from 1 downwards, and its weight, by Newton's
+/// method. Source: Abramowitz, Stegun, Handbook of Mathematical Functions, 22.16.6 (start), 25.4.29 (weights).
+constexpr GaussNode gaussNode(int n, int k) {
+    const auto size = static_cast<long double>(n);
+    long double x = cosine(std::numbers::pi_v<long double> * (static_cast<long double>(k) + 0.75L) / (size + 0.5L));
+    long double slope = 0;
+    // From this start four steps reach full precision; two more cost nothing at compile time.
+    for (int step = 0; step < 6; ++step) {
+        long double before = 1;
+        long double value = x;
+        for (int j = 2; j <= n; ++j) {
+            const auto m = static_cast<long double>(j);
+            const long double next = ((2 * m - 1) * x * value - (m - 1) * before) / m;
+            before = value;
+            value = next;
+        }
+        slope = size * (x * value - before) / (x * x - 1);
+        x -= value / slope;
+    }
+    // From [-1, 1] to [0, 1]: half the weight 2 / ((1 - x^2) slope^2).
+    return {static_cast<double>((1 - x) / 2), static_cast<double>(1 / ((1 - x * x) * slope * slope))};
+}
+
+template <int kSize>
+constexpr auto makeRule() {
+    std::array<GaussNode, kSize / 2> rule;
+    for (int k = 0; k < kSize / 2; ++k)
+        rule[static_cast<std::size_t>(k)] = gaussNode(kSize, k);
+    return rule;
+}
+
+template <int kSize>
+constexpr auto kRule = makeRule<kSize>();
+
+constexpr std::array<std::span<const GaussNode>, kSizes.size()> kRules{
+    kRule<kSizes[0]>, kRule<kSizes[1]>, kRule<kSizes[2]>, kRule<kSizes[3]>, kRule<kSizes[4]>,
+    kRule<kSizes[5]>, kRule<kSizes[6]>, kRule<kSizes[7]>, kRule<kSizes[8]>};
+
+} // namespace
+
+std::span<const int> gaussSizes() {
+    return kSizes;
+}
+
+std::span<const GaussNode> gaussNodes(std::size_t index) {
+    assert(index < kRules.size());
+    return kRules[index];
+}
+
+} // namespace kriva

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+namespace kriva {
+
+/// One node of a quadrature rule over [0, 1], in the lower half, standing for itself and its mirror image 1 - at.
+struct GaussNode {
+    double at = 0;
+    double weight = 0;
+};
+
+/// The Gauss-Legendre rules at hand, by rising number of points; every number is even, so no node is at 1/2. Nodes and
+/// weights are right to the last place or two.
+[[nodiscard]] std::span<const int> gaussSizes();
+
+/// The lower half of the rule of gaussSizes()[index] points.
+[[nodiscard]] std::span<const GaussNode> gaussNodes(std::size_t index);
+
+} // namespace kriva
