@@ -1,1 +1,0 @@
-namespace kriva { int g(); int g() { return 1; } }
