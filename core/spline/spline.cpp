@@ -1,0 +1,113 @@
+#include "core/spline/spline.h"
+
+#include "core/bezier/elevate.h"
+#include "core/spline/handles.h"
+#include "core/spline/quadratic_chain.h"
+
+#include <algorithm>
+
+namespace kriva {
+namespace {
+
+const SplineKnot& knotAfter(const SplineCurve& curve, std::size_t segment) {
+    return curve.knots[(segment + 1) % curve.knots.size()];
+}
+
+std::vector<Vector> chordsOf(const SplineCurve& curve) {
+    std::vector<Vector> chords(segmentCount(curve));
+    for (std::size_t i = 0; i < chords.size(); ++i)
+        chords[i] = knotAfter(curve, i).at - curve.knots[i].at;
+    return chords;
+}
+
+const Points* replacedInner(const SplineCurve& curve, std::size_t segment) {
+    if (innerCount(curve.degree) == 0)
+        return nullptr;
+    const auto found = curve.inner.find(static_cast<int>(segment));
+    return found == curve.inner.end() ? nullptr : &found->second;
+}
+
+/// The free control points of a segment are its third and, for degree 5, fourth.
+constexpr std::ptrdiff_t kFirstInner = 2;
+
+/// The control polygons seen from their first knots.
+std::vector<Points> localPolygons(const SplineCurve& curve) {
+    const Point origin;
+    const std::vector<Vector> chords = chordsOf(curve);
+    std::vector<Points> polygons;
+    polygons.reserve(chords.size());
+    if (curve.degree == 2) {
+        for (std::size_t i = 0; const Vector middle : quadraticMiddles(chords))
+            polygons.push_back({origin, origin + middle, origin + chords[i++]});
+        return polygons;
+    }
+    for (std::size_t i = 0; const SegmentHandles& handles : cubicHandles(curve, chords)) {
+        const Vector chord = chords[i];
+        Points polygon = {origin, origin + handles.out, origin + (chord + handles.in), origin + chord};
+        if (curve.degree > 3)
+            polygon = elevated(polygon, curve.degree - 3);
+        if (const Points* inner = replacedInner(curve, i))
+            std::ranges::transform(*inner, polygon.begin() + kFirstInner,
+                                   [&](Point p) { return origin + (p - curve.knots[i].at); });
+        polygons.push_back(std::move(polygon));
+        ++i;
+    }
+    return polygons;
+}
+
+std::vector<Continuity> continuityOf(const std::vector<Points>& segments, std::size_t knotCount) {
+    std::vector<Continuity> continuity(knotCount, Continuity::end);
+    for (std::size_t i = 1; i < segments.size(); ++i)
+        continuity[i] = continuityBetween(segments[i - 1], segments[i]);
+    if (segments.size() == knotCount)
+        continuity[0] = continuityBetween(segments.back(), segments.front());
+    return continuity;
+}
+
+/// Moves a polygon from the origin to its knot; what the curve itself holds is taken over without a rounding.
+void moveToKnots(Points& polygon, const SplineCurve& curve, std::size_t segment) {
+    const SplineKnot& from = curve.knots[segment];
+    const SplineKnot& to = knotAfter(curve, segment);
+    for (Point& p : polygon)
+        p = from.at + (p - Point{});
+    polygon.front() = from.at;
+    polygon.back() = to.at;
+    if (const Points* inner = replacedInner(curve, segment))
+        std::ranges::copy(*inner, polygon.begin() + kFirstInner);
+    if (curve.degree != 3)
+        return;
+    if (from.join != SplineKnot::Join::automatic && from.out)
+        polygon[1] = *from.out;
+    if (to.join != SplineKnot::Join::automatic && to.in)
+        polygon[2] = *to.in;
+}
+
+} // namespace
+
+bool isIncomplete(const SplineCurve& curve) {
+    return curve.knots.size() < (curve.closed ? 3u : 2u);
+}
+
+std::size_t segmentCount(const SplineCurve& curve) {
+    if (isIncomplete(curve))
+        return 0;
+    return curve.closed ? curve.knots.size() : curve.knots.size() - 1;
+}
+
+std::size_t innerCount(int degree) {
+    return degree > 3 ? static_cast<std::size_t>(degree - 3) : 0;
+}
+
+SplineChain solveSpline(const SplineCurve& curve) {
+    if (isIncomplete(curve))
+        return {};
+    SplineChain chain;
+    chain.segments = localPolygons(curve);
+    // Told before the polygons move: far from the origin the roundings of absolute positions would break C2.
+    chain.continuity = continuityOf(chain.segments, curve.knots.size());
+    for (std::size_t i = 0; i < chain.segments.size(); ++i)
+        moveToKnots(chain.segments[i], curve, i);
+    return chain;
+}
+
+} // namespace kriva
