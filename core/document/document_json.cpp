@@ -1,5 +1,6 @@
 #include "core/document/document_json.h"
 
+#include "core/document/limit_check.h"
 #include "core/document/style_json.h"
 
 #include <algorithm>
@@ -105,29 +106,6 @@ std::string writeDocument(const Document& document, int linesDownTo) {
     }
     json.endObject().endObject();
     return std::move(json).take();
-}
-
-std::optional<FileError> sheetLimitError(const Sheet& sheet, SheetIndex index) {
-    std::size_t points = 0;
-    std::size_t derived = 0;
-    for (const Curve& curve : sheet.curves) {
-        points += pointCount(curve);
-        derived += derivedPointCount(curve);
-    }
-    const auto tooMany = [&](std::size_t limit) {
-        FileError error;
-        error.problem = FileProblem::tooMany;
-        error.place = std::string("sheets.").append(sheetName(index)).append(".curves");
-        error.numbers = {static_cast<double>(limit)};
-        return error;
-    };
-    if (sheet.curves.size() > limits::kCurvesInSheet)
-        return tooMany(limits::kCurvesInSheet);
-    if (points > limits::kPointsInSheet)
-        return tooMany(limits::kPointsInSheet);
-    if (derived > limits::kDerivedPointsInSheet)
-        return tooMany(limits::kDerivedPointsInSheet);
-    return {};
 }
 
 } // namespace kriva

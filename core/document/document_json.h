@@ -13,8 +13,4 @@ inline constexpr int kFormatVersion = 1;
 /// The document as UTF-8 JSON; readDocument gives it back bit for bit. `linesDownTo` 0 writes one line.
 [[nodiscard]] std::string writeDocument(const Document& document, int linesDownTo = 5);
 
-/// Whether a sheet is within the limits that hold over all its curves together: nothing, or why not. `place` is the
-/// place of its curves in the document.
-[[nodiscard]] std::optional<FileError> sheetLimitError(const Sheet& sheet, SheetIndex index);
-
 } // namespace kriva

@@ -1,5 +1,7 @@
 #include "core/document/report.h"
 
+#include "core/document/limit_check.h"
+
 namespace kriva {
 namespace {
 
@@ -58,13 +60,8 @@ std::optional<FileError> reportLimitError(const Document& document, std::optiona
         std::size_t segments = 0;
         for (const Curve& curve : document.sheets[index].curves)
             segments += std::visit([](const auto& c) { return reportedSegments(c); }, curve);
-        if (isReported(index, only) && segments > limits::kReportedSegments) {
-            FileError error;
-            error.problem = FileProblem::tooMany;
-            error.place = std::string("sheets.").append(sheetName(index)).append(".curves");
-            error.numbers = {static_cast<double>(limits::kReportedSegments)};
-            return error;
-        }
+        if (isReported(index, only) && segments > limits::kReportedSegments)
+            return tooManyCurves(index, limits::kReportedSegments);
     }
     return {};
 }

@@ -1,0 +1,74 @@
+#include "core/document/limit_check.h"
+
+#include "core/document/limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kriva {
+namespace {
+
+/// What is limited over a whole sheet.
+struct Totals {
+    std::size_t curves = 0;
+    std::size_t points = 0;
+    std::size_t derivedPoints = 0;
+
+    void add(const Curve& curve) {
+        ++curves;
+        points += pointCount(curve);
+        derivedPoints += derivedPointCount(curve);
+    }
+};
+
+std::optional<FileError> errorOf(const Totals& totals, SheetIndex index) {
+    if (totals.curves > limits::kCurvesInSheet)
+        return tooManyCurves(index, limits::kCurvesInSheet);
+    if (totals.points > limits::kPointsInSheet)
+        return tooManyCurves(index, limits::kPointsInSheet);
+    if (totals.derivedPoints > limits::kDerivedPointsInSheet)
+        return tooManyCurves(index, limits::kDerivedPointsInSheet);
+    return {};
+}
+
+bool isWithinNumbers(Point p) {
+    return std::abs(p.x) <= limits::kNumber && std::abs(p.y) <= limits::kNumber;
+}
+
+} // namespace
+
+FileError tooManyCurves(SheetIndex sheet, std::size_t limit) {
+    FileError error;
+    error.problem = FileProblem::tooMany;
+    error.place = std::string("sheets.").append(sheetName(sheet)).append(".curves");
+    error.numbers = {static_cast<double>(limit)};
+    return error;
+}
+
+std::optional<FileError> sheetLimitError(const Sheet& sheet, SheetIndex index) {
+    Totals totals;
+    for (const Curve& curve : sheet.curves)
+        totals.add(curve);
+    return errorOf(totals, index);
+}
+
+std::optional<FileError> limitErrorWith(const Sheet& sheet, SheetIndex index, std::optional<std::size_t> replaced,
+                                        const Curve& curve) {
+    if (pointCount(curve) > mostPoints(curve))
+        return tooManyCurves(index, mostPoints(curve));
+    const std::vector<Grip> all = grips(curve);
+    if (!std::all_of(all.begin(), all.end(), [](const Grip& grip) { return isWithinNumbers(grip.at); })) {
+        FileError error = tooManyCurves(index, 0);
+        error.problem = FileProblem::numberOutOfRange;
+        error.numbers = {-limits::kNumber, limits::kNumber};
+        return error;
+    }
+    Totals totals;
+    for (std::size_t i = 0; i < sheet.curves.size(); ++i)
+        if (i != replaced)
+            totals.add(sheet.curves[i]);
+    totals.add(curve);
+    return errorOf(totals, index);
+}
+
+} // namespace kriva

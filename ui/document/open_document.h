@@ -1,0 +1,112 @@
+#pragma once
+
+#include "core/document/document.h"
+#include "core/document/file_error.h"
+#include "ui/document/serial.h"
+#include "ui/document/step_label.h"
+#include "ui/document/swap_curve.h"
+
+#include <QObject>
+#include <QTimer>
+#include <QUndoGroup>
+#include <QUndoStack>
+
+namespace kriva::ui {
+
+/// The document of a window: its value, the serials of its curves, a history for each sheet, and signals that tell
+/// what changed. Who listens pulls the value; nobody answers.
+class OpenDocument : public QObject {
+    Q_OBJECT
+  public:
+    explicit OpenDocument(QObject* parent = nullptr);
+    ~OpenDocument() override;
+
+    /// The present value, a running gesture's preview included.
+    [[nodiscard]] const Document& value() const { return value_; }
+    [[nodiscard]] const Sheet& sheet(SheetIndex sheet) const { return value_.sheets[sheet]; }
+    [[nodiscard]] const std::vector<Serial>& serials(SheetIndex sheet) const { return serials_[sheet]; }
+    [[nodiscard]] std::optional<int> indexOf(SheetIndex sheet, Serial serial) const;
+    /// Null where the curve is not there.
+    [[nodiscard]] const Curve* find(SheetIndex sheet, Serial serial) const;
+    /// The curve that edits without a curve of their own go to; 0 in an empty sheet.
+    [[nodiscard]] Serial activeCurve(SheetIndex sheet) const;
+
+    /// Replaces everything: histories are cleared, and the new value counts as saved.
+    void replace(Document document);
+    [[nodiscard]] bool isModified() const;
+    void markSaved();
+
+    // Steps. Each ends a running gesture first, and is refused (with a signal) where the value would be beyond the
+    // limits of the model. A change to the present value is no step.
+    bool change(SheetIndex sheet, Serial serial, Curve curve, const StepLabel& label);
+    /// Gives the new curve's serial, nothing where it is refused. The new curve becomes the active one.
+    std::optional<Serial> add(SheetIndex sheet, int index, Curve curve, const StepLabel& label);
+    void remove(SheetIndex sheet, Serial serial, const StepLabel& label);
+    void reorder(SheetIndex sheet, Serial serial, int index, const StepLabel& label);
+
+    // A gesture shows previews and becomes one step when it ends, or none where nothing differs from its beginning.
+    void beginGesture(SheetIndex sheet, Serial serial, const StepLabel& label);
+    void preview(Curve curve);
+    void endGesture();
+    void cancelGesture();
+    [[nodiscard]] bool hasGesture() const { return gesture_.has_value(); }
+    /// The value at the beginning of the running gesture.
+    [[nodiscard]] const Curve& gestureStart() const { return gesture_->start; }
+    /// A preview of a gesture that ends by itself once nothing more of its kind comes: keys held down, typing.
+    void changeInBurst(SheetIndex sheet, Serial serial, Curve curve, const StepLabel& label);
+
+    // View state: saved, never undone, never a modification.
+    void setActiveSheet(SheetIndex sheet);
+    void setActiveCurve(SheetIndex sheet, Serial serial);
+    void setCurveShown(SheetIndex sheet, Serial serial, bool isShown);
+    void setLayerShown(SheetIndex sheet, std::string_view layer, bool isShown);
+
+    [[nodiscard]] QUndoStack& history(SheetIndex sheet) { return *histories_[sheet]; }
+    [[nodiscard]] QUndoGroup& histories() { return group_; }
+    /// Ends a running gesture, then steps back or forth in the shown sheet's history.
+    void undo();
+    void redo();
+
+  Q_SIGNALS:
+    /// The value of one curve, or how it is shown.
+    void curveChanged(kriva::SheetIndex sheet, kriva::ui::Serial serial);
+    /// Curves came, went or changed places.
+    void curvesChanged(kriva::SheetIndex sheet);
+    /// Which curve is active, or which layers are shown.
+    void viewChanged(kriva::SheetIndex sheet);
+    void activeSheetChanged(kriva::SheetIndex sheet);
+    void replaced();
+    void modifiedChanged(bool isModified);
+    /// A step would have been beyond the limits of the model; nothing changed.
+    void refused(const kriva::FileError& error);
+
+  private:
+    friend class SwapCurve;
+    struct Gesture {
+        SheetIndex sheet;
+        Serial serial;
+        StepLabel label;
+        Curve start;
+        bool isBurst;
+    };
+
+    /// Puts `other` in place of the curve, or takes it out, and gives what was there.
+    std::optional<PlacedCurve> exchange(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other);
+    void push(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other, const StepLabel& label);
+    bool isWithinLimits(SheetIndex sheet, std::optional<int> replacedIndex, const Curve& curve);
+    void put(SheetIndex sheet, int index, Curve curve);
+    void keepActiveCurve(SheetIndex sheet, Serial serial);
+    void tellModified();
+
+    Document value_;
+    Document saved_;
+    bool wasModified_ = false;
+    std::array<std::vector<Serial>, kSheetCount> serials_;
+    Serial lastSerial_ = 0;
+    std::array<QUndoStack*, kSheetCount> histories_;
+    QUndoGroup group_;
+    std::optional<Gesture> gesture_;
+    QTimer burstEnd_;
+};
+
+} // namespace kriva::ui

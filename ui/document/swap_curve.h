@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/document/document.h"
+#include "ui/document/serial.h"
+
+#include <QUndoCommand>
+
+namespace kriva::ui {
+
+class OpenDocument;
+
+/// A curve at its place among the curves of its sheet.
+struct PlacedCurve {
+    Curve curve;
+    int index = 0;
+    friend bool operator==(const PlacedCurve&, const PlacedCurve&) = default;
+};
+
+/// The one command of all histories: it holds what the curve is not at present (nothing where the curve is not there)
+/// and exchanges the two. Adding, deleting, changing and reordering are all this.
+class SwapCurve : public QUndoCommand {
+  public:
+    /// `other` is what undo will restore; the change itself has been made already.
+    SwapCurve(OpenDocument& document, SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other,
+              const QString& label);
+    void undo() override;
+    void redo() override;
+
+  private:
+    OpenDocument& document_;
+    SheetIndex sheet_;
+    Serial serial_;
+    std::optional<PlacedCurve> other_;
+    bool isFirstRedo_ = true; ///< QUndoStack::push calls redo, but the change is made already
+};
+
+} // namespace kriva::ui
