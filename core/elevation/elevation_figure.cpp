@@ -28,7 +28,8 @@ Figure figureOf(const ElevationCurve& curve, const FigureContext& context) {
             figure.layers.push_back(
                 {"elevated-polygon", {{polyline(polygon), Role::derivedPolygon}}, {{polygon, Role::derivedPolygon}}});
         }
-        figure.layers.push_back({"curve", {{singleCurve(curve.points), Role::curve, 0, 1, curve.style}}});
+        figure.layers.push_back(
+            {"curve", {{singleCurve(curve.points), Role::curve, 0, 1, curve.style, context.curve}}});
     }
     figure.layers.push_back({"points", {}, {{curve.points, Role::point}}});
     figure.layers.push_back({"labels", {}, {}, indexedLabels("b", curve.points)});

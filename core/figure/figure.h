@@ -60,6 +60,7 @@ struct Stroke {
     int series = 0;
     double strength = 1;   ///< from 0, invisible, to 1: polygons of earlier stages fade
     CurveStyle style = {}; ///< replaces the role's where set
+    int curve = -1;        ///< of the curve itself: its index in the sheet
     friend bool operator==(const Stroke&, const Stroke&) = default;
 };
 

@@ -1,0 +1,124 @@
+#include "core/figure/role_style.h"
+
+#include <array>
+#include <cassert>
+
+namespace kriva {
+namespace {
+
+/// The same ink on white and on dark paper.
+struct Ink {
+    Color light;
+    Color dark;
+};
+
+// The palette of Okabe and Ito, "Color Universal Design" (2008): its hues stay apart for colour-blind readers.
+constexpr Color kOrange{0xe6, 0x9f, 0x00};
+constexpr Color kSkyBlue{0x56, 0xb4, 0xe9};
+constexpr Color kGreen{0x00, 0x9e, 0x73};
+constexpr Color kYellow{0xf0, 0xe4, 0x42};
+constexpr Color kBlue{0x00, 0x72, 0xb2};
+constexpr Color kVermillion{0xd5, 0x5e, 0x00};
+constexpr Color kPurple{0xcc, 0x79, 0xa7};
+
+constexpr Ink kPaper{{0xff, 0xff, 0xff}, {0x1e, 0x20, 0x24}};
+constexpr Ink kText{{0x26, 0x26, 0x26}, {0xe4, 0xe6, 0xea}};
+constexpr Ink kGrey{{0x8c, 0x8c, 0x8c}, {0x8d, 0x92, 0x9a}};
+constexpr Ink kDarkGrey{{0x59, 0x59, 0x59}, {0xb4, 0xb8, 0xbf}};
+constexpr Ink kCurveInk{kBlue, kSkyBlue}; // blue is too dark for dark paper
+
+// Neighbours in a cycle differ in lightness too, so that a grey print keeps them apart. Yellow shows on dark paper
+// only.
+constexpr std::array<Ink, 4> kRunInks{
+    {{kBlue, kSkyBlue}, {kOrange, kVermillion}, {kGreen, kYellow}, {kSkyBlue, kGreen}}};
+constexpr std::array<Ink, 4> kLevelInks{
+    {{kGreen, kGreen}, {kOrange, kOrange}, {kPurple, kPurple}, {kSkyBlue, kSkyBlue}}};
+
+constexpr std::array<double, 2> kLongDashes{5, 1.8};
+constexpr std::array<double, 2> kDashes{3, 1.5};
+constexpr std::array<double, 2> kDots{1.2, 1.4};
+constexpr std::array<double, 4> kDashDot{4.5, 1.5, 1.1, 1.5};
+
+// Three patterns of lines against four inks: twelve levels before one repeats.
+constexpr std::array<std::span<const double>, 3> kLevelDashes{std::span<const double>(), kDashes, kDots};
+
+/// What the roles are made of, on one paper.
+class Palette {
+  public:
+    explicit Palette(Theme theme)
+        : theme_(theme) {}
+
+    [[nodiscard]] Color operator()(Ink ink) const { return theme_ == Theme::light ? ink.light : ink.dark; }
+    [[nodiscard]] Color operator()(Color color) const { return color; }
+
+    template <class AnyInk>
+    [[nodiscard]] RoleStyle line(AnyInk ink, double width, std::span<const double> dashes = {}) const {
+        return {(*this)(ink), width, dashes, Marker::none, 0, 0, {}};
+    }
+    [[nodiscard]] RoleStyle filled(RoleStyle line, Marker marker, double size) const {
+        // A rim in the paper's colour would eat small marks: they are filled to the edge.
+        return {line.color, line.width, line.dashes, marker, size, 0, line.color};
+    }
+    [[nodiscard]] RoleStyle hollow(RoleStyle line, Marker marker, double size, double outline) const {
+        return {line.color, line.width, line.dashes, marker, size, outline, (*this)(kPaper)};
+    }
+
+  private:
+    Theme theme_;
+};
+
+template <class Element, std::size_t size>
+const Element& cyclic(const std::array<Element, size>& elements, int index) {
+    assert(index >= 0);
+    return elements[static_cast<std::size_t>(index) % size];
+}
+
+} // namespace
+
+RoleStyle styleOf(Role role, int series, Theme theme) {
+    const Palette on(theme);
+    switch (role) {
+    case Role::curve:
+        return on.line(kCurveInk, 1.4);
+    case Role::controlPolygon:
+        return on.line(kGrey, 0.7);
+    case Role::derivedPolygon:
+        return on.filled(on.line(kVermillion, 0.7, kDashes), Marker::circle, 2.6);
+    case Role::construction:
+        return on.filled(on.line(cyclic(kLevelInks, series), 0.7, cyclic(kLevelDashes, series)), Marker::circle, 3);
+    case Role::left:
+        return on.filled(on.line(kGreen, 0.9, kLongDashes), Marker::square, 3.2);
+    case Role::right:
+        return on.filled(on.line(kPurple, 0.9, kDots), Marker::diamond, 4.6);
+    case Role::point:
+        return on.hollow(on.line(kDarkGrey, 0), Marker::circle, 4.2, 0.8);
+    case Role::knot:
+        return on.hollow(on.line(kCurveInk, 0), Marker::square, 4.2, 0.9);
+    case Role::handle:
+        return on.filled(on.line(kGrey, 0.5), Marker::circle, 3.4);
+    case Role::join:
+        return on.hollow(on.line(kVermillion, 1.4, kDashes), Marker::diamond, 4.6, 0.8);
+    case Role::run:
+        return on.line(cyclic(kRunInks, series), 1.6);
+    case Role::curvePoint:
+        return on.filled(on.line(kVermillion, 0), Marker::circle, 5);
+    case Role::derivative:
+        return on.hollow(on.line(kVermillion, 0.9, kDashDot), Marker::circle, 3.2, 0.8);
+    case Role::label:
+        return on.line(kText, 0);
+    }
+    return {};
+}
+
+RoleStyle styleOf(const Stroke& stroke, Theme theme) {
+    RoleStyle style = styleOf(stroke.role, stroke.series, theme);
+    style.color = stroke.style.color.value_or(style.color);
+    style.width = stroke.style.width.value_or(style.width);
+    return style;
+}
+
+Color paperColor(Theme theme) {
+    return Palette(theme)(kPaper);
+}
+
+} // namespace kriva

@@ -1,0 +1,84 @@
+#include "core/figure/role_style.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kriva {
+namespace {
+
+constexpr Theme kThemes[] = {Theme::light, Theme::dark};
+
+std::vector<Role> allRoles() {
+    std::vector<Role> roles;
+    for (int role = 0; role <= static_cast<int>(Role::label); ++role)
+        roles.push_back(static_cast<Role>(role));
+    return roles;
+}
+
+/// Relative luminance as WCAG 2.1 defines it: what is left of a colour in a grey print.
+double luminance(Color color) {
+    const auto linear = [](std::uint8_t part) {
+        const double value = part / 255.0;
+        return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue);
+}
+
+double contrast(Color a, Color b) {
+    const auto [low, high] = std::minmax(luminance(a), luminance(b));
+    return (high + 0.05) / (low + 0.05);
+}
+
+bool isHollow(const RoleStyle& style) {
+    return style.markerFill != style.color;
+}
+
+bool differWithoutColor(const RoleStyle& a, const RoleStyle& b) {
+    return a.width != b.width || !std::equal(a.dashes.begin(), a.dashes.end(), b.dashes.begin(), b.dashes.end()) ||
+           a.marker != b.marker || a.markerSize != b.markerSize || isHollow(a) != isHollow(b);
+}
+
+TEST(RoleStyle, keepsRolesApartWithoutColour) {
+    for (const Theme theme : kThemes)
+        for (const Role a : allRoles())
+            for (const Role b : allRoles())
+                EXPECT_TRUE(a == b || differWithoutColor(styleOf(a, 0, theme), styleOf(b, 0, theme)))
+                    << static_cast<int>(a) << " " << static_cast<int>(b);
+}
+
+TEST(RoleStyle, keepsNeighbouringRunsApartInGreyscale) {
+    for (const Theme theme : kThemes)
+        for (int run = 0; run < 12; ++run)
+            EXPECT_GT(contrast(styleOf(Role::run, run, theme).color, styleOf(Role::run, run + 1, theme).color), 1.35)
+                << run;
+}
+
+TEST(RoleStyle, givesTwelveLevelsTheirOwnLook) {
+    for (int a = 0; a < 12; ++a) {
+        for (int b = 0; b < a; ++b) {
+            const RoleStyle x = styleOf(Role::construction, a, Theme::light);
+            const RoleStyle y = styleOf(Role::construction, b, Theme::light);
+            EXPECT_TRUE(x.color != y.color || differWithoutColor(x, y)) << a << " " << b;
+            EXPECT_TRUE(a != b + 1 || differWithoutColor(x, y)) << a << " " << b;
+        }
+    }
+}
+
+TEST(RoleStyle, standsOutFromThePaper) {
+    for (const Theme theme : kThemes)
+        for (const Role role : allRoles())
+            for (int series = 0; series < 4; ++series)
+                EXPECT_GT(contrast(styleOf(role, series, theme).color, paperColor(theme)), 2) << static_cast<int>(role);
+}
+
+TEST(RoleStyle, followsTheStyleOfItsCurve) {
+    Stroke stroke;
+    stroke.style = {Color{1, 2, 3}, 4.5};
+    EXPECT_EQ(styleOf(stroke, Theme::light).color, (Color{1, 2, 3}));
+    EXPECT_EQ(styleOf(stroke, Theme::light).width, 4.5);
+}
+
+} // namespace
+} // namespace kriva
