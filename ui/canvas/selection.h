@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/document/grip.h"
+#include "ui/document/serial.h"
+
+#include <optional>
+#include <set>
+
+namespace kriva::ui {
+
+/// One grip of one curve of the sheet.
+struct GripRef {
+    Serial serial = 0;
+    GripId id;
+    friend constexpr auto operator<=>(const GripRef&, const GripRef&) = default;
+};
+
+using Selection = std::set<GripRef>;
+
+/// What lies under a pixel: a grip, else a curve, else nothing.
+struct Hit {
+    std::optional<GripRef> grip;
+    std::optional<Serial> curve;
+    friend bool operator==(const Hit&, const Hit&) = default;
+};
+
+} // namespace kriva::ui

@@ -1,0 +1,246 @@
+#include "ui/sheets/sheet_editor.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace kriva::ui {
+
+SheetEditor::SheetEditor(OpenDocument& document, SheetIndex sheet, QObject* parent)
+    : QObject(parent)
+    , document_(document)
+    , index_(sheet) {
+    connect(&document, &OpenDocument::curveChanged, this, [this](SheetIndex changed, Serial serial) {
+        if (changed != index_)
+            return;
+        dropLostSelection();
+        Q_EMIT shownCurveChanged(serial);
+    });
+    connect(&document, &OpenDocument::curvesChanged, this, [this](SheetIndex changed) {
+        if (changed != index_)
+            return;
+        stage_.reset();
+        dropLostSelection();
+    });
+    connect(&document, &OpenDocument::viewChanged, this, [this](SheetIndex changed) {
+        if (changed == index_)
+            stage_.reset(); // it stood in place of the curve that was active before
+    });
+    connect(&document, &OpenDocument::replaced, this, [this] {
+        stage_.reset();
+        select({});
+    });
+}
+
+const Curve* SheetEditor::shown(Serial serial) const {
+    return stage_ && serial == activeSerial() ? &*stage_ : document_.find(index_, serial);
+}
+
+void SheetEditor::setStage(std::optional<Curve> stage) {
+    if (stage == stage_)
+        return;
+    stage_ = std::move(stage);
+    Q_EMIT shownCurveChanged(activeSerial());
+}
+
+void SheetEditor::select(Selection selection) {
+    if (selection == selection_)
+        return;
+    selection_ = std::move(selection);
+    Q_EMIT selectionChanged();
+}
+
+Selection SheetEditor::all() const {
+    Selection all;
+    if (const Curve* curve = activeCurve())
+        for (int i = 0; i < static_cast<int>(pointCount(*curve)); ++i)
+            all.insert({activeSerial(), {GripKind::point, i}});
+    return all;
+}
+
+std::vector<int> SheetEditor::selectedPoints() const {
+    std::vector<int> points;
+    for (const GripRef& grip : selection_)
+        if (grip.serial == activeSerial() && grip.id.kind == GripKind::point)
+            points.push_back(grip.id.index);
+    return points;
+}
+
+std::vector<GripId> SheetEditor::selectedGrips(Serial serial) const {
+    std::vector<GripId> ids;
+    for (const GripRef& grip : selection_)
+        if (grip.serial == serial)
+            ids.push_back(grip.id);
+    return ids;
+}
+
+void SheetEditor::dropLostSelection() {
+    Selection kept;
+    for (const GripRef& grip : selection_) {
+        const Curve* curve = document_.find(index_, grip.serial);
+        if (curve && grip.id.index < static_cast<int>(pointCount(*curve)))
+            kept.insert(grip);
+    }
+    select(std::move(kept));
+}
+
+void SheetEditor::applyMap(Serial serial, const IndexMap& map) {
+    Selection mapped;
+    for (GripRef grip : selection_) {
+        if (grip.serial == serial)
+            grip.id.index = map(grip.id.index);
+        if (grip.id.index != IndexMap::kGone)
+            mapped.insert(grip);
+    }
+    select(std::move(mapped));
+}
+
+void SheetEditor::addPoint(Point at) {
+    if (!activeCurve())
+        newCurve();
+    const Serial serial = activeSerial();
+    if (document_.change(index_, serial, withPointAdded(*activeCurve(), at).curve,
+                         {QT_TRANSLATE_NOOP("Step", "Add a point")}))
+        select({{serial, {GripKind::point, static_cast<int>(pointCount(*activeCurve())) - 1}}});
+}
+
+void SheetEditor::removePoints(Serial serial, const std::vector<int>& indices) {
+    const Curve* curve = document_.find(index_, serial);
+    if (!curve || indices.empty())
+        return;
+    Edited<Curve> edited = withPointsRemoved(*curve, indices);
+    const StepLabel label = indices.size() == 1 ? StepLabel{QT_TRANSLATE_NOOP("Step", "Remove point %1"), indices[0]}
+                                                : StepLabel{QT_TRANSLATE_NOOP("Step", "Remove points")};
+    const Selection before = selection_;
+    if (document_.change(index_, serial, std::move(edited.curve), label)) {
+        selection_ = before; // the change has dropped what lay beyond the end; the map knows where it went
+        applyMap(serial, edited.map);
+    }
+}
+
+void SheetEditor::removeSelected() {
+    removePoints(activeSerial(), selectedPoints());
+}
+
+void SheetEditor::removeLastPoint() {
+    if (const Curve* curve = activeCurve(); curve && pointCount(*curve) > 0)
+        removePoints(activeSerial(), {static_cast<int>(pointCount(*curve)) - 1});
+}
+
+void SheetEditor::placePoint(int index, Point at) {
+    const Curve* curve = activeCurve();
+    if (!curve)
+        return;
+    const GripId id{GripKind::point, index};
+    const std::vector<Grip> all = grips(*curve);
+    const auto grip = std::find_if(all.begin(), all.end(), [&](const Grip& g) { return g.id == id; });
+    if (grip != all.end())
+        change(withGripsMoved(*curve, std::span(&id, 1), at - grip->at), moveLabel(id));
+}
+
+void SheetEditor::nudge(Vector by) {
+    const Curve* curve = activeCurve();
+    const std::vector<GripId> ids = selectedGrips(activeSerial());
+    if (curve && !ids.empty())
+        changeInBurst(withGripsMoved(*curve, ids, by), {QT_TRANSLATE_NOOP("Step", "Nudge")});
+}
+
+void SheetEditor::change(Curve value, const StepLabel& label) {
+    document_.change(index_, activeSerial(), std::move(value), label);
+}
+
+void SheetEditor::changeInBurst(Curve value, const StepLabel& label) {
+    document_.changeInBurst(index_, activeSerial(), std::move(value), label);
+}
+
+void SheetEditor::reverse() {
+    const Curve* curve = activeCurve();
+    if (!curve)
+        return;
+    Edited<Curve> edited = reversed(*curve);
+    const IndexMap map = std::move(edited.map);
+    change(std::move(edited.curve), {QT_TRANSLATE_NOOP("Step", "Reverse the curve")});
+    applyMap(activeSerial(), map);
+}
+
+void SheetEditor::newCurve() {
+    document_.add(index_, static_cast<int>(sheet().curves.size()), emptyCurve(index_),
+                  {QT_TRANSLATE_NOOP("Step", "New curve")});
+}
+
+void SheetEditor::duplicateCurve(Serial serial) {
+    if (const Curve* curve = document_.find(index_, serial))
+        document_.add(index_, *document_.indexOf(index_, serial) + 1, *curve,
+                      {QT_TRANSLATE_NOOP("Step", "Duplicate the curve")});
+}
+
+void SheetEditor::deleteCurve(Serial serial) {
+    document_.remove(index_, serial, {QT_TRANSLATE_NOOP("Step", "Delete the curve")});
+}
+
+void SheetEditor::renameCurve(Serial serial, const QString& name) {
+    if (const Curve* curve = document_.find(index_, serial))
+        document_.change(index_, serial, renamed(*curve, name.toStdString()),
+                         {QT_TRANSLATE_NOOP("Step", "Rename the curve")});
+}
+
+void SheetEditor::moveCurve(Serial serial, int index) {
+    if (index >= 0 && index < static_cast<int>(sheet().curves.size()))
+        document_.reorder(index_, serial, index, {QT_TRANSLATE_NOOP("Step", "Reorder the curves")});
+}
+
+void SheetEditor::clear() {
+    document_.endGesture();
+    if (sheet().curves.empty())
+        return;
+    QUndoStack& history = document_.history(index_);
+    history.beginMacro(stored({QT_TRANSLATE_NOOP("Step", "Clear the canvas")}));
+    for (const Serial serial : std::vector<Serial>(document_.serials(index_)))
+        deleteCurve(serial);
+    history.endMacro();
+}
+
+void SheetEditor::beginDrag(const GripRef& grip) {
+    if (!selection_.contains(grip))
+        select({grip});
+    dragged_ = grip.serial;
+    draggedGrips_ = selectedGrips(grip.serial);
+    setStage({});
+    document_.beginGesture(index_, grip.serial,
+                           draggedGrips_.size() > 1 ? StepLabel{QT_TRANSLATE_NOOP("Step", "Move points")}
+                                                    : moveLabel(grip.id));
+}
+
+void SheetEditor::drag(Vector by) {
+    if (document_.hasGesture())
+        document_.preview(withGripsMoved(document_.gestureStart(), draggedGrips_, by));
+}
+
+void SheetEditor::endDrag() {
+    document_.endGesture();
+}
+
+void SheetEditor::cancelDrag() {
+    document_.cancelGesture();
+}
+
+StepLabel moveLabel(const GripId& grip) {
+    switch (grip.kind) {
+    case GripKind::point:
+        return {QT_TRANSLATE_NOOP("Step", "Move point %1"), grip.index};
+    case GripKind::inHandle:
+    case GripKind::outHandle:
+        return {QT_TRANSLATE_NOOP("Step", "Move a handle of knot %1"), grip.index};
+    case GripKind::inner:
+        return {QT_TRANSLATE_NOOP("Step", "Move an inner point of segment %1"), grip.index};
+    case GripKind::middle:
+        return {QT_TRANSLATE_NOOP("Step", "Move the middle point of pair %1"), grip.index};
+    case GripKind::startDerivative:
+        return {QT_TRANSLATE_NOOP("Step", "Change the start derivative")};
+    case GripKind::endDerivative:
+        return {QT_TRANSLATE_NOOP("Step", "Change the end derivative")};
+    }
+    return {};
+}
+
+} // namespace kriva::ui

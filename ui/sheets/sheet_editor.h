@@ -1,0 +1,86 @@
+#pragma once
+
+#include "ui/canvas/selection.h"
+#include "ui/document/open_document.h"
+
+namespace kriva::ui {
+
+/// Edits one sheet of the open document, and keeps the view state that belongs to it and is neither saved nor undone:
+/// the selection, and the stage that a player shows. A tab's canvas and panels all work on this one object.
+class SheetEditor : public QObject {
+    Q_OBJECT
+  public:
+    SheetEditor(OpenDocument& document, SheetIndex sheet, QObject* parent = nullptr);
+
+    [[nodiscard]] OpenDocument& document() { return document_; }
+    [[nodiscard]] const Sheet& sheet() const { return document_.sheet(index_); }
+    [[nodiscard]] SheetIndex index() const { return index_; }
+    [[nodiscard]] Serial activeSerial() const { return document_.activeCurve(index_); }
+    /// Null in an empty sheet.
+    [[nodiscard]] const Curve* activeCurve() const { return document_.find(index_, activeSerial()); }
+
+    /// The curve as it is on view: a player's stage, else the document's value.
+    [[nodiscard]] const Curve* shown(Serial serial) const;
+    /// Shows another value in place of the active curve's without changing the document; nothing shows the document's.
+    void setStage(std::optional<Curve> stage);
+    [[nodiscard]] bool hasStage() const { return stage_.has_value(); }
+
+    [[nodiscard]] const Selection& selection() const { return selection_; }
+    void select(Selection selection);
+    [[nodiscard]] Selection all() const;
+    /// Indices of the selected points of the active curve, ascending.
+    [[nodiscard]] std::vector<int> selectedPoints() const;
+
+    // Points.
+    void addPoint(Point at);
+    void removePoints(Serial serial, const std::vector<int>& indices);
+    void removeSelected();
+    void removeLastPoint();
+    /// A point of the active curve, placed by typing.
+    void placePoint(int index, Point at);
+    void nudge(Vector by);
+
+    // The active curve. `label` is marked with QT_TRANSLATE_NOOP("Step", ...).
+    void change(Curve value, const StepLabel& label);
+    /// As change, but steps of the same kind that follow each other closely become one.
+    void changeInBurst(Curve value, const StepLabel& label);
+    void reverse();
+
+    // Curves.
+    void newCurve();
+    void duplicateCurve(Serial serial);
+    void deleteCurve(Serial serial);
+    void renameCurve(Serial serial, const QString& name);
+    void moveCurve(Serial serial, int index);
+    void clear();
+
+    // A drag of the selection, told by the canvas.
+    void beginDrag(const GripRef& grip);
+    void drag(Vector by);
+    void endDrag();
+    void cancelDrag();
+
+  Q_SIGNALS:
+    void selectionChanged();
+    /// What is on view for this curve changed: its value, or the stage in its place.
+    void shownCurveChanged(kriva::ui::Serial serial);
+    /// Something worth telling in the status bar happened; the text is marked with QT_TRANSLATE_NOOP("Hint", ...).
+    void hint(const char* text);
+
+  private:
+    void dropLostSelection();
+    void applyMap(Serial serial, const IndexMap& map);
+    [[nodiscard]] std::vector<GripId> selectedGrips(Serial serial) const;
+
+    OpenDocument& document_;
+    SheetIndex index_;
+    Selection selection_;
+    std::optional<Curve> stage_;
+    Serial dragged_ = 0;
+    std::vector<GripId> draggedGrips_;
+};
+
+/// "b" or "K" with an index: how a grip is named in steps and hints.
+[[nodiscard]] StepLabel moveLabel(const GripId& grip);
+
+} // namespace kriva::ui
