@@ -82,7 +82,8 @@ Vector JsonNode::vector() const {
 }
 
 Point JsonNode::point() const {
-    return Point{} + vector();
+    const Vector fromOrigin = vector();
+    return {fromOrigin.x, fromOrigin.y}; // the sum with the origin would turn -0.0 into 0
 }
 
 Points JsonNode::points(std::size_t atMost) const {

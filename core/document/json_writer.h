@@ -32,7 +32,7 @@ class JsonWriter {
     JsonWriter& value(std::string_view text);
     JsonWriter& value(const char* text) { return value(std::string_view(text)); }
     JsonWriter& value(Point point);
-    JsonWriter& value(Vector vector) { return value(Point{} + vector); }
+    JsonWriter& value(Vector vector) { return value(Point{vector.x, vector.y}); }
     JsonWriter& value(const Box& box);
     JsonWriter& value(std::span<const Point> points);
     JsonWriter& value(const Points& points) { return value(std::span<const Point>(points)); }
