@@ -1,13 +1,14 @@
 #pragma once
 
 #include "core/elevation/elevation_sheet.h"
+#include "core/subdivision/subdivision_sheet.h"
 
 #include <array>
 
 namespace kriva {
 
 /// A curve of any sheet. The order of its kinds is the order of the sheets; a further sheet is one more kind here.
-using Curve = std::variant<ElevationCurve>;
+using Curve = std::variant<ElevationCurve, SubdivisionCurve>;
 
 /// Which sheet: the index of its kind of curve.
 using SheetIndex = std::size_t;

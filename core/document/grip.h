@@ -30,4 +30,10 @@ struct Grip {
     friend constexpr bool operator==(const Grip&, const Grip&) = default;
 };
 
+/// The grips of the points themselves, in their order.
+[[nodiscard]] std::vector<Grip> pointGrips(std::span<const Point> points);
+
+/// The points, those whose grips are named moved; other kinds and grips that do not exist are passed over.
+[[nodiscard]] Points withPointsMoved(const Points& points, std::span<const GripId> ids, Vector by);
+
 } // namespace kriva

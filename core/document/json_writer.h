@@ -35,9 +35,10 @@ class JsonWriter {
     JsonWriter& value(Vector vector) { return value(Point{vector.x, vector.y}); }
     JsonWriter& value(const Box& box);
     JsonWriter& value(std::span<const Point> points);
-    JsonWriter& value(const Points& points) { return value(std::span<const Point>(points)); }
     JsonWriter& value(std::span<const double> numbers);
-    JsonWriter& value(const std::vector<double>& numbers) { return value(std::span<const double>(numbers)); }
+    /// A list of anything that has a value, lists included.
+    template <class Element>
+    JsonWriter& value(const std::vector<Element>& elements);
     template <class Value>
     JsonWriter& value(const std::optional<Value>& maybe) {
         return maybe ? value(*maybe) : raw("null");
@@ -63,5 +64,13 @@ class JsonWriter {
     bool isFirst_ = true; ///< of its container
     bool isAfterKey_ = false;
 };
+
+template <class Element>
+JsonWriter& JsonWriter::value(const std::vector<Element>& elements) {
+    beginList();
+    for (const Element& element : elements)
+        value(element);
+    return endList();
+}
 
 } // namespace kriva

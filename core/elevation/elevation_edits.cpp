@@ -7,11 +7,7 @@
 namespace kriva {
 
 std::vector<Grip> grips(const ElevationCurve& curve) {
-    std::vector<Grip> all;
-    all.reserve(curve.points.size());
-    for (const Point p : curve.points)
-        all.push_back({{GripKind::point, static_cast<int>(all.size())}, p});
-    return all;
+    return pointGrips(curve.points);
 }
 
 std::size_t mostPoints(const ElevationCurve&) {
@@ -20,9 +16,7 @@ std::size_t mostPoints(const ElevationCurve&) {
 
 ElevationCurve withGripsMoved(const ElevationCurve& curve, std::span<const GripId> ids, Vector by) {
     ElevationCurve moved = curve;
-    for (const GripId& id : ids)
-        if (id.kind == GripKind::point && static_cast<std::size_t>(id.index) < moved.points.size())
-            moved.points[static_cast<std::size_t>(id.index)] = curve.points[static_cast<std::size_t>(id.index)] + by;
+    moved.points = withPointsMoved(curve.points, ids, by);
     return moved;
 }
 

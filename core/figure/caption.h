@@ -16,12 +16,23 @@ enum class Caption {
     elevatedPolygon,
     points,
     labels,
+    construction,
+    partialCurves,
+    pieces,
+    leftPolygon,
+    rightPolygon,
+    curvePoint,
+    blossom,
+    partLabels,
     // results
     degree,
     length,
     bounds,
     elevatedDegree,
     gap,
+    pointAtT,
+    derivativeAtT,
+    pieceCount,
     incomplete,
 };
 

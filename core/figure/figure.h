@@ -72,6 +72,9 @@ struct Marks {
     friend bool operator==(const Marks&, const Marks&) = default;
 };
 
+/// On which side of its point a label stands: labels of one point keep out of each other's way.
+enum class LabelSide { aboveRight, aboveLeft, belowLeft, belowRight };
+
 /// A letter with an index ("b" with "3" below), a caption, or a number, beside a point.
 struct Label {
     Point at;
@@ -79,6 +82,8 @@ struct Label {
     std::string text;
     std::string subscript;
     Role role = Role::label;
+    std::string suffix = {}; ///< behind the index, on the line of the text: "×3"
+    LabelSide side = LabelSide::aboveRight;
     friend bool operator==(const Label&, const Label&) = default;
 };
 

@@ -1,0 +1,115 @@
+#include "core/subdivision/subdivision_edits.h"
+
+#include "core/document/limits.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace kriva {
+namespace {
+
+std::size_t degreeOf(const SubdivisionCurve& curve) {
+    return std::max<std::size_t>(controlPointCount(curve), 1) - 1;
+}
+
+/// To be called after every change of the number of control points.
+void fitBlossom(SubdivisionCurve& curve) {
+    if (curve.blossom)
+        curve.blossom->resize(degreeOf(curve), curve.t);
+}
+
+} // namespace
+
+std::vector<Grip> grips(const SubdivisionCurve& curve) {
+    return pointGrips(curve.points);
+}
+
+std::size_t derivedPointCount(const SubdivisionCurve& curve) {
+    return isIncomplete(curve) ? 0 : controlPointCount(curve) << curve.levels;
+}
+
+std::size_t mostPoints(const SubdivisionCurve& curve) {
+    const std::size_t used = controlPointCount(curve);
+    const std::size_t most = mostControlPoints(curve.levels);
+    return curve.points.size() + (most > used ? most - used : 0);
+}
+
+SubdivisionCurve withGripsMoved(const SubdivisionCurve& curve, std::span<const GripId> ids, Vector by) {
+    SubdivisionCurve moved = curve;
+    moved.points = withPointsMoved(curve.points, ids, by);
+    return moved;
+}
+
+Edited<SubdivisionCurve> withPointAdded(const SubdivisionCurve& curve, Point at) {
+    Edited<SubdivisionCurve> edited{curve, {}};
+    edited.curve.points.push_back(at);
+    edited.curve.multiplicity.push_back(1);
+    fitBlossom(edited.curve);
+    return edited;
+}
+
+Edited<SubdivisionCurve> withPointsRemoved(const SubdivisionCurve& curve, const std::vector<int>& indices) {
+    Edited<SubdivisionCurve> edited{curve, mapWithout(static_cast<int>(curve.points.size()), indices)};
+    edited.curve.points = without(curve.points, indices);
+    edited.curve.multiplicity = without(curve.multiplicity, indices);
+    fitBlossom(edited.curve);
+    return edited;
+}
+
+Edited<SubdivisionCurve> reversed(const SubdivisionCurve& curve) {
+    Edited<SubdivisionCurve> edited{curve, mapReversed(static_cast<int>(curve.points.size()))};
+    SubdivisionCurve& turned = edited.curve;
+    std::reverse(turned.points.begin(), turned.points.end());
+    std::reverse(turned.multiplicity.begin(), turned.multiplicity.end());
+    // A t so small that 1 - t rounds to 1 must stay inside, as an argument must stay within the limit of numbers.
+    turned.t = std::min(1 - curve.t, std::nextafter(1.0, 0.0));
+    if (turned.blossom)
+        for (double& argument : *turned.blossom)
+            argument = std::min(1 - argument, limits::kNumber);
+    return edited;
+}
+
+std::size_t mostControlPoints(int levels) {
+    return std::min(limits::kControlPoints, limits::kDerivedPointsInSheet >> levels);
+}
+
+int mostLevels(std::size_t controlPoints) {
+    int levels = limits::kLevels;
+    while (levels > 0 && mostControlPoints(levels) < controlPoints)
+        --levels;
+    return levels;
+}
+
+int mostMultiplicity(const SubdivisionCurve& curve, int index) {
+    const int own = curve.multiplicity[static_cast<std::size_t>(index)];
+    const auto others = static_cast<int>(controlPointCount(curve)) - own;
+    return std::max(1, static_cast<int>(mostControlPoints(curve.levels)) - others);
+}
+
+SubdivisionCurve withMultiplicity(const SubdivisionCurve& curve, int index, int times) {
+    assert(times >= 1);
+    SubdivisionCurve changed = curve;
+    changed.multiplicity[static_cast<std::size_t>(index)] = times;
+    fitBlossom(changed);
+    return changed;
+}
+
+SubdivisionCurve withT(SubdivisionCurve curve, double t) {
+    assert(t > 0 && t < 1);
+    curve.t = t;
+    return curve;
+}
+
+SubdivisionCurve withLevels(SubdivisionCurve curve, int levels) {
+    assert(levels >= 0 && levels <= mostLevels(controlPointCount(curve)));
+    curve.levels = levels;
+    return curve;
+}
+
+SubdivisionCurve withBlossom(SubdivisionCurve curve, std::optional<std::vector<double>> arguments) {
+    assert(!arguments || arguments->size() == degreeOf(curve));
+    curve.blossom = std::move(arguments);
+    return curve;
+}
+
+} // namespace kriva

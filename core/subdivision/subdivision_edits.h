@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/document/edited.h"
+#include "core/document/grip.h"
+#include "core/subdivision/subdivision.h"
+
+/// The edits of a subdivision curve. Every sheet's curve has the same set, found by overloading; what follows that set
+/// is this sheet's own. Multiplicities follow their points; the blossom always keeps as many arguments as the degree:
+/// it gains t where the degree rises and loses its last arguments where it falls.
+namespace kriva {
+
+/// Everything that can be dragged: the points, in their order, each once.
+[[nodiscard]] std::vector<Grip> grips(const SubdivisionCurve& curve);
+
+/// The points of the Points table.
+[[nodiscard]] inline std::size_t pointCount(const SubdivisionCurve& curve) {
+    return curve.points.size();
+}
+/// How many points its results hold, those of all pieces: they are limited over the whole sheet.
+[[nodiscard]] std::size_t derivedPointCount(const SubdivisionCurve& curve);
+/// The most points that this curve may have, given its multiplicities and levels.
+[[nodiscard]] std::size_t mostPoints(const SubdivisionCurve& curve);
+
+/// All the named grips moved by the same vector; grips that do not exist are passed over.
+[[nodiscard]] SubdivisionCurve withGripsMoved(const SubdivisionCurve& curve, std::span<const GripId> ids, Vector by);
+/// The new point stands once.
+[[nodiscard]] Edited<SubdivisionCurve> withPointAdded(const SubdivisionCurve& curve, Point at);
+/// `indices` ascending. The degree falls.
+[[nodiscard]] Edited<SubdivisionCurve> withPointsRemoved(const SubdivisionCurve& curve,
+                                                         const std::vector<int>& indices);
+/// The same cut and the same blossom, seen from the other end.
+[[nodiscard]] Edited<SubdivisionCurve> reversed(const SubdivisionCurve& curve);
+
+/// The most control points of a curve that is cut `levels` times over: every curve's limit, and that of all its pieces.
+[[nodiscard]] std::size_t mostControlPoints(int levels);
+/// The most levels that a curve with so many control points may have.
+[[nodiscard]] int mostLevels(std::size_t controlPoints);
+/// The largest multiplicity that the point may have, the others being what they are; at least 1.
+[[nodiscard]] int mostMultiplicity(const SubdivisionCurve& curve, int index);
+
+/// The point `index` stands so many times, at least once.
+[[nodiscard]] SubdivisionCurve withMultiplicity(const SubdivisionCurve& curve, int index, int times);
+/// t strictly between 0 and 1.
+[[nodiscard]] SubdivisionCurve withT(SubdivisionCurve curve, double t);
+/// From 0 to mostLevels.
+[[nodiscard]] SubdivisionCurve withLevels(SubdivisionCurve curve, int levels);
+/// As many arguments as the degree; with nothing, the blossom is not asked for.
+[[nodiscard]] SubdivisionCurve withBlossom(SubdivisionCurve curve, std::optional<std::vector<double>> arguments);
+
+} // namespace kriva

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/document/json_node.h"
+#include "core/document/json_writer.h"
+#include "core/subdivision/subdivision.h"
+
+namespace kriva {
+
+/// Reads a curve of the sheet `subdivision`; refuses what format.md does not allow. Of a curve that is still being
+/// drawn the counts are not checked: multiplicities are cut or filled up to the points it has.
+void readCurve(const JsonNode& node, SubdivisionCurve& curve);
+/// Writes the keys that differ from their defaults.
+void writeCurve(JsonWriter& json, const SubdivisionCurve& curve);
+
+} // namespace kriva

@@ -1,0 +1,49 @@
+#include "core/subdivision/subdivision_report.h"
+
+#include "core/bezier/arc_length.h"
+#include "core/bezier/bounds.h"
+
+namespace kriva {
+namespace {
+
+int degreeOf(const Subdivision& subdivision) {
+    return static_cast<int>(subdivision.polygon.size()) - 1;
+}
+
+Point pointAtT(const Subdivision& subdivision) {
+    return subdivision.triangle.back().front();
+}
+
+} // namespace
+
+void reportCurve(JsonWriter& json, const SubdivisionCurve& curve) {
+    const Subdivision subdivision = subdivide(curve);
+    json.member("degree", degreeOf(subdivision))
+        .member("length", arcLength(subdivision.polygon))
+        .member("bounds", tightBounds(subdivision.polygon))
+        .member("point", pointAtT(subdivision))
+        .member("derivative", subdivision.derivative)
+        .member("triangle", subdivision.triangle)
+        .member("left", subdivision.halves.left)
+        .member("right", subdivision.halves.right)
+        .member("pieces", pieces(curve));
+    if (subdivision.blossom)
+        json.member("blossom", *subdivision.blossom);
+}
+
+std::vector<Result> results(const SubdivisionCurve& curve) {
+    const Subdivision subdivision = subdivide(curve);
+    std::vector<Result> rows{{Caption::degree, "", degreeOf(subdivision)},
+                             {Caption::length, "", arcLength(subdivision.polygon)},
+                             {Caption::bounds, "", tightBounds(subdivision.polygon)},
+                             {Caption::pointAtT, "", pointAtT(subdivision)},
+                             {Caption::derivativeAtT, "", Point{subdivision.derivative.x, subdivision.derivative.y}},
+                             {Caption::leftPolygon, "", subdivision.halves.left},
+                             {Caption::rightPolygon, "", subdivision.halves.right},
+                             {Caption::pieceCount, "", 1 << curve.levels}};
+    if (subdivision.blossom)
+        rows.push_back({Caption::blossom, "", *subdivision.blossom});
+    return rows;
+}
+
+} // namespace kriva

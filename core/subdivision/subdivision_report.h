@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/document/json_writer.h"
+#include "core/document/results.h"
+#include "core/subdivision/subdivision.h"
+
+namespace kriva {
+
+/// How many segments its report lists: they are limited over the whole sheet. Only splines have any.
+[[nodiscard]] inline std::size_t reportedSegments(const SubdivisionCurve&) {
+    return 0;
+}
+/// The members of a complete curve in the report, after its name.
+void reportCurve(JsonWriter& json, const SubdivisionCurve& curve);
+/// The same numbers as rows for people; of the scheme what it ends in, of the pieces their number.
+[[nodiscard]] std::vector<Result> results(const SubdivisionCurve& curve);
+
+} // namespace kriva
