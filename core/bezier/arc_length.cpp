@@ -1,7 +1,8 @@
 #include "core/bezier/arc_length.h"
 
-#include "core/bezier/casteljau.h"
-#include "core/bezier/gauss_legendre.h"
+#include "core/polynomial/bernstein_polynomial.h"
+#include "core/polynomial/casteljau.h"
+#include "core/polynomial/gauss_legendre.h"
 
 #include <algorithm>
 #include <cassert>
@@ -26,13 +27,6 @@ struct Piece {
     double to = 1;
     std::size_t rule = 0;
 };
-
-std::vector<double> binomials(std::size_t degree) {
-    std::vector<double> row(degree + 1, 1.0);
-    for (std::size_t i = 1; i < degree; ++i)
-        row[i] = row[i - 1] * static_cast<double>(degree + 1 - i) / static_cast<double>(i);
-    return row;
-}
 
 double power(double base, std::size_t exponent) {
     double result = 1;

@@ -16,4 +16,11 @@ namespace kriva {
 /// The direction in which the curve arrives at its end, of length 1, likewise.
 [[nodiscard]] std::optional<Vector> endTangent(std::span<const Point> curve);
 
+/// The length of the control polygon; 0 for one point or none.
+[[nodiscard]] double polygonLength(std::span<const Point> points);
+
+/// Whether the curve is straight within 1e-9 of its polygon's length: no control point is farther than that from the
+/// line through the first one and the one farthest from it. True for curves of one place and of degree 0 and 1.
+[[nodiscard]] bool isStraight(std::span<const Point> curve);
+
 } // namespace kriva

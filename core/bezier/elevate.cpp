@@ -1,6 +1,6 @@
 #include "core/bezier/elevate.h"
 
-#include "core/bezier/casteljau.h"
+#include "core/polynomial/casteljau.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,6 @@
 #include "core/bezier/subdivide.h"
 
-#include "core/bezier/casteljau.h"
+#include "core/polynomial/casteljau.h"
 
 #include <cassert>
 

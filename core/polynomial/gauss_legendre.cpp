@@ -1,4 +1,4 @@
-#include "core/bezier/gauss_legendre.h"
+#include "core/polynomial/gauss_legendre.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,40 @@
+#include "core/polynomial/gauss_legendre.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace kriva {
+namespace {
+
+double integral(std::size_t rule, auto f) {
+    double sum = 0;
+    for (const GaussNode node : gaussNodes(rule))
+        sum += node.weight * (f(node.at) + f(1 - node.at));
+    return sum;
+}
+
+TEST(GaussLegendre, rulesHaveTheirSizesAndRise) {
+    const auto sizes = gaussSizes();
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        EXPECT_EQ(2 * gaussNodes(i).size(), static_cast<std::size_t>(sizes[i]));
+        EXPECT_TRUE(i == 0 || sizes[i - 1] < sizes[i]);
+    }
+}
+
+TEST(GaussLegendre, integratesPolynomialsOfTwiceItsSize) {
+    for (std::size_t i = 0; i < gaussSizes().size(); ++i)
+        for (const int power : {0, 1, 7, 2 * gaussSizes()[i] - 1})
+            EXPECT_NEAR(integral(i, [&](double t) { return std::pow(t, power); }) * (power + 1), 1, 1e-14);
+}
+
+TEST(GaussLegendre, meetsThePrintedNodesOfEightPoints) {
+    // Abramowitz, Stegun, Handbook of Mathematical Functions, table 25.4, n = 8.
+    EXPECT_NEAR(1 - 2 * gaussNodes(0)[0].at, 0.960289856497536, 1e-15);
+    EXPECT_NEAR(2 * gaussNodes(0)[0].weight, 0.101228536290376, 1e-15);
+    EXPECT_NEAR(1 - 2 * gaussNodes(0)[3].at, 0.183434642495650, 1e-15);
+    EXPECT_NEAR(2 * gaussNodes(0)[3].weight, 0.362683783378362, 1e-15);
+}
+
+} // namespace
+} // namespace kriva
