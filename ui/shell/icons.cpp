@@ -1,0 +1,121 @@
+#include "ui/shell/icons.h"
+
+#include <QGuiApplication>
+#include <QIconEngine>
+#include <QPainter>
+#include <QPalette>
+#include <QSvgRenderer>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace kriva::ui {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// The files of the icons, in the order of IconName.
+constexpr std::array kFiles = {"new",
+                               "open",
+                               "save",
+                               "export",
+                               "undo",
+                               "redo",
+                               "add-point",
+                               "edit",
+                               "zoom-in",
+                               "zoom-out",
+                               "fit",
+                               "grid",
+                               "delete",
+                               "duplicate",
+                               "up",
+                               "down",
+                               "play",
+                               "pause",
+                               "slower",
+                               "faster",
+                               "direction-forward",
+                               "direction-backward",
+                               "direction-both",
+                               "step-forward",
+                               "step-back",
+                               "loop",
+                               "visible",
+                               "hidden"};
+
+[[nodiscard]] QPalette::ColorGroup groupOf(QIcon::Mode mode) {
+    return mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
+}
+
+[[nodiscard]] QPalette::ColorRole roleOf(QIcon::Mode mode) {
+    return mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::ButtonText;
+}
+
+/// Renders a drawing anew for every size, so that no pixel is ever scaled.
+class SvgIcon : public QIconEngine {
+  public:
+    explicit SvgIcon(const QString& file)
+        : file_(u":/icons/%1.svg"_s.arg(file)) {}
+
+    [[nodiscard]] QIconEngine* clone() const override { return new SvgIcon(*this); }
+
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State) override {
+        QPixmap pixmap(size);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        const int side = std::min(size.width(), size.height());
+        QSvgRenderer(file_).render(&painter, QRectF((size.width() - side) / 2, (size.height() - side) / 2, side, side));
+        if (const auto color = tint(mode)) {
+            painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+            painter.fillRect(pixmap.rect(), *color);
+        }
+        return pixmap;
+    }
+
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+        painter->drawPixmap(rect, pixmap(rect.size() * painter->device()->devicePixelRatio(), mode, state));
+    }
+
+  protected:
+    /// The one colour of a drawing that has none of its own.
+    [[nodiscard]] virtual std::optional<QColor> tint(QIcon::Mode) const { return std::nullopt; }
+
+  private:
+    QString file_;
+};
+
+class TintedIcon : public SvgIcon {
+  public:
+    TintedIcon(IconName name, std::optional<QPalette> palette)
+        : SvgIcon(QString::fromLatin1(kFiles.at(static_cast<std::size_t>(name))))
+        , palette_(std::move(palette)) {}
+
+    [[nodiscard]] QIconEngine* clone() const override { return new TintedIcon(*this); }
+
+  protected:
+    [[nodiscard]] std::optional<QColor> tint(QIcon::Mode mode) const override {
+        return palette_.value_or(QGuiApplication::palette()).color(groupOf(mode), roleOf(mode));
+    }
+
+  private:
+    std::optional<QPalette> palette_;
+};
+
+} // namespace
+
+QIcon icon(IconName name) {
+    return QIcon(new TintedIcon(name, std::nullopt));
+}
+
+QIcon icon(IconName name, const QPalette& palette) {
+    return QIcon(new TintedIcon(name, palette));
+}
+
+QIcon applicationIcon() {
+    return QIcon(new SvgIcon(u"kriva"_s));
+}
+
+} // namespace kriva::ui
