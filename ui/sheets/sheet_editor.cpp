@@ -50,12 +50,27 @@ void SheetEditor::select(Selection selection) {
     Q_EMIT selectionChanged();
 }
 
-Selection SheetEditor::all() const {
+Selection SheetEditor::allPoints() const {
     Selection all;
     if (const Curve* curve = activeCurve())
         for (int i = 0; i < static_cast<int>(pointCount(*curve)); ++i)
             all.insert({activeSerial(), {GripKind::point, i}});
     return all;
+}
+
+void SheetEditor::selectAll() {
+    select(allPoints());
+}
+
+void SheetEditor::selectNone() {
+    select({});
+}
+
+void SheetEditor::invertSelection() {
+    Selection inverse = allPoints();
+    for (const GripRef& grip : selection_)
+        inverse.erase(grip);
+    select(std::move(inverse));
 }
 
 std::vector<int> SheetEditor::selectedPoints() const {
@@ -187,6 +202,13 @@ void SheetEditor::renameCurve(Serial serial, const QString& name) {
 void SheetEditor::moveCurve(Serial serial, int index) {
     if (index >= 0 && index < static_cast<int>(sheet().curves.size()))
         document_.reorder(index_, serial, index, {QT_TRANSLATE_NOOP("Step", "Reorder the curves")});
+}
+
+void SheetEditor::activateNextCurve() {
+    const std::vector<Serial>& serials = document_.serials(index_);
+    if (!serials.empty())
+        document_.setActiveCurve(
+            index_, serials[static_cast<std::size_t>(sheet().view.activeCurve + 1) % serials.size()]);
 }
 
 void SheetEditor::clear() {

@@ -27,7 +27,9 @@ class SheetEditor : public QObject {
 
     [[nodiscard]] const Selection& selection() const { return selection_; }
     void select(Selection selection);
-    [[nodiscard]] Selection all() const;
+    void selectAll();
+    void selectNone();
+    void invertSelection();
     /// Indices of the selected points of the active curve, ascending.
     [[nodiscard]] std::vector<int> selectedPoints() const;
 
@@ -52,6 +54,8 @@ class SheetEditor : public QObject {
     void deleteCurve(Serial serial);
     void renameCurve(Serial serial, const QString& name);
     void moveCurve(Serial serial, int index);
+    void activateNextCurve();
+    /// Deletes all curves in one step.
     void clear();
 
     // A drag of the selection, told by the canvas.
@@ -68,6 +72,7 @@ class SheetEditor : public QObject {
     void hint(const char* text);
 
   private:
+    [[nodiscard]] Selection allPoints() const;
     void dropLostSelection();
     void applyMap(Serial serial, const IndexMap& map);
     [[nodiscard]] std::vector<GripId> selectedGrips(Serial serial) const;
