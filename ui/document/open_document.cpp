@@ -259,4 +259,10 @@ void OpenDocument::redo() {
     tellModified();
 }
 
+void OpenDocument::goToStep(SheetIndex sheet, int step) {
+    endGesture();
+    histories_[sheet]->setIndex(step);
+    tellModified();
+}
+
 } // namespace kriva::ui

@@ -66,6 +66,8 @@ class OpenDocument : public QObject {
     /// Ends a running gesture, then steps back or forth in the shown sheet's history.
     void undo();
     void redo();
+    /// To the state after the first `step` steps of a sheet's history.
+    void goToStep(SheetIndex sheet, int step);
 
   Q_SIGNALS:
     /// The value of one curve, or how it is shown.
