@@ -39,6 +39,10 @@ std::optional<SheetIndex> sheetNamed(std::string_view name) {
     return {};
 }
 
+Caption captionOf(SheetIndex sheet) {
+    return std::visit([](const auto& curve) { return curve.kCaption; }, kinds()[sheet]);
+}
+
 Curve emptyCurve(SheetIndex sheet) {
     return kinds()[sheet];
 }

@@ -30,6 +30,8 @@ struct Document {
 /// The name of a sheet in documents: "elevation".
 [[nodiscard]] std::string_view sheetName(SheetIndex sheet);
 [[nodiscard]] std::optional<SheetIndex> sheetNamed(std::string_view name);
+/// Its name for people.
+[[nodiscard]] Caption captionOf(SheetIndex sheet);
 /// A curve of the sheet's kind without points.
 [[nodiscard]] Curve emptyCurve(SheetIndex sheet);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/document/style.h"
+#include "core/figure/caption.h"
 #include "core/geometry/point.h"
 
 #include <string>
@@ -11,6 +12,7 @@ namespace kriva {
 /// A Bézier curve and how often its degree is raised.
 struct ElevationCurve {
     static constexpr std::string_view kSheet = "elevation";
+    static constexpr Caption kCaption = Caption::elevation;
 
     std::string name;
     Points points;

@@ -34,7 +34,6 @@ constexpr std::array<Ink, 4> kRunInks{
 constexpr std::array<Ink, 4> kLevelInks{
     {{kGreen, kGreen}, {kOrange, kOrange}, {kPurple, kPurple}, {kSkyBlue, kSkyBlue}}};
 
-constexpr std::array<double, 2> kLongDashes{5, 1.8};
 constexpr std::array<double, 2> kDashes{3, 1.5};
 constexpr std::array<double, 2> kDots{1.2, 1.4};
 constexpr std::array<double, 4> kDashDot{4.5, 1.5, 1.1, 1.5};
@@ -87,9 +86,9 @@ RoleStyle styleOf(Role role, int series, Theme theme) {
     case Role::construction:
         return on.filled(on.line(cyclic(kLevelInks, series), 0.7, cyclic(kLevelDashes, series)), Marker::circle, 3);
     case Role::left:
-        return on.filled(on.line(kGreen, 0.9, kLongDashes), Marker::square, 3.2);
+        return on.filled(on.line(kGreen, 1), Marker::square, 3.2);
     case Role::right:
-        return on.filled(on.line(kPurple, 0.9, kDots), Marker::diamond, 4.6);
+        return on.filled(on.line(kPurple, 1), Marker::diamond, 4.6);
     case Role::point:
         return on.hollow(on.line(kDarkGrey, 0), Marker::circle, 4.2, 0.8);
     case Role::knot:

@@ -32,9 +32,12 @@ struct RoleStyle {
 /// What the figure is drawn on.
 [[nodiscard]] Color paperColor(Theme theme);
 
-/// The size of the letters of labels, and of their subscripts.
+/// The size of the letters of labels, and of their subscripts, which stand lower by kSubscriptDrop.
 inline constexpr double kTextSize = 9;
 inline constexpr double kSubscriptSize = 6.5;
+inline constexpr double kSubscriptDrop = 2;
+/// The fonts of labels, the first one that is there: serifs as in formulas, with Cyrillic letters.
+inline constexpr std::string_view kTextFamily = "STIX Two Text, Times New Roman, Liberation Serif, Nimbus Roman, serif";
 
 inline constexpr double kMillimetresPerPoint = 25.4 / 72;
 

@@ -2,6 +2,7 @@
 
 #include "core/bezier/subdivide.h"
 #include "core/document/style.h"
+#include "core/figure/caption.h"
 
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@ namespace kriva {
 /// A Bézier curve that is cut at t, its pieces cut again and again; its points may stand several times in a row.
 struct SubdivisionCurve {
     static constexpr std::string_view kSheet = "subdivision";
+    static constexpr Caption kCaption = Caption::subdivision;
 
     std::string name;
     Points points;

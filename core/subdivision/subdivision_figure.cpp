@@ -139,7 +139,8 @@ Figure figureOf(const SubdivisionCurve& curve, const FigureContext& context) {
     if (isCut)
         addPolygons(figure, curve, cut);
     if (!isIncomplete(curve))
-        figure.layers.push_back({"curve", {{singleCurve(controlPolygon(curve)), Role::curve, 0, 1, curve.style}}});
+        figure.layers.push_back(
+            {"curve", {{singleCurve(controlPolygon(curve)), Role::curve, 0, 1, curve.style, context.curve}}});
     figure.layers.push_back({"points", {}, {{curve.points, Role::point}}});
     if (isCut)
         addPlaces(figure, cut);

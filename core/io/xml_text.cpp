@@ -1,0 +1,91 @@
+#include "core/io/xml_text.h"
+
+#include "core/io/utf8.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace kriva {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD"; // U+FFFD
+
+/// Control characters of both blocks, and what XML 1.0 (section 2.2) leaves out.
+bool isForbidden(char32_t c) {
+    return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0xfffe || c == 0xffff;
+}
+
+void appendEscaped(std::string& to, std::string_view bytes) {
+    switch (bytes[0]) {
+    case '<':
+        to += "&lt;";
+        break;
+    case '>':
+        to += "&gt;";
+        break;
+    case '&':
+        to += "&amp;";
+        break;
+    case '"':
+        to += "&quot;";
+        break;
+    case '\'':
+        to += "&apos;";
+        break;
+    default:
+        to += bytes;
+    }
+}
+
+void appendJsonEscape(std::string& to, char32_t c) {
+    constexpr char kHex[] = "0123456789abcdef";
+    to += "\\u";
+    for (const int shift : {12, 8, 4, 0})
+        to += kHex[c >> shift & 15];
+}
+
+} // namespace
+
+std::string xmlText(std::string_view text) {
+    std::string result;
+    result.reserve(text.size());
+    forEachCharacter(text, [&](std::optional<char32_t> c, std::string_view bytes) {
+        if (!c || isForbidden(*c))
+            result += kReplacement;
+        else
+            appendEscaped(result, bytes);
+    });
+    return result;
+}
+
+std::string xmlJson(std::string_view json) {
+    std::string result;
+    result.reserve(json.size());
+    forEachCharacter(json, [&](std::optional<char32_t> c, std::string_view bytes) {
+        // Between values JSON has line breaks; inside its texts they are escaped already.
+        if (c && *c != '\n' && isForbidden(*c))
+            appendJsonEscape(result, *c);
+        else if (bytes[0] == '"' || bytes[0] == '\'')
+            result += bytes; // quotes need no escape in an element
+        else
+            appendEscaped(result, bytes);
+    });
+    return result;
+}
+
+std::string plainNumber(double value, int decimals) {
+    std::array<char, 400> digits; // the largest double has 309 digits before the point
+    const char* end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals).ptr;
+    std::string_view text(digits.data(), static_cast<std::size_t>(end - digits.data()));
+    if (text.find('.') != std::string_view::npos) {
+        text = text.substr(0, text.find_last_not_of('0') + 1);
+        if (text.ends_with('.'))
+            text.remove_suffix(1);
+    }
+    return std::string(text == "-0" ? "0" : text);
+}
+
+} // namespace kriva
