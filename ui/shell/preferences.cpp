@@ -1,0 +1,96 @@
+#include "ui/shell/preferences.h"
+
+#include <QDir>
+
+#include <algorithm>
+
+namespace kriva::ui {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr qsizetype kMostRecentFiles = 10;
+
+const auto kLanguage = u"language"_s;
+const auto kTheme = u"theme"_s;
+const auto kRecentFiles = u"recentFiles"_s;
+const auto kWindowGeometry = u"window/geometry"_s;
+const auto kLightTheme = u"light"_s;
+const auto kDarkTheme = u"dark"_s;
+const auto kSystemTheme = u"system"_s;
+
+[[nodiscard]] QString layoutKey(const QString& tab) {
+    return u"panels/%1"_s.arg(tab);
+}
+
+} // namespace
+
+Preferences::Preferences()
+    : settings_(QSettings::IniFormat, QSettings::UserScope, u"kriva"_s, u"kriva"_s) {
+    settings_.setFallbacksEnabled(false);
+}
+
+std::optional<Language> Preferences::language() const {
+    return languageOf(settings_.value(kLanguage).toString());
+}
+
+void Preferences::setLanguage(Language language) {
+    settings_.setValue(kLanguage, languageCode(language));
+}
+
+Theme Preferences::theme() const {
+    const QString name = settings_.value(kTheme).toString();
+    return name == kLightTheme ? Theme::Light : name == kDarkTheme ? Theme::Dark : Theme::System;
+}
+
+void Preferences::setTheme(Theme theme) {
+    settings_.setValue(kTheme, theme == Theme::Light ? kLightTheme : theme == Theme::Dark ? kDarkTheme : kSystemTheme);
+}
+
+QStringList Preferences::recentFiles() const {
+    QStringList files = settings_.value(kRecentFiles).toStringList();
+    files.removeIf([](const QString& path) { return QDir::isRelativePath(path); });
+    files.removeDuplicates();
+    return files.first(std::min(files.size(), kMostRecentFiles));
+}
+
+void Preferences::addRecentFile(const QString& path) {
+    const QString absolute = QDir::cleanPath(QDir::current().absoluteFilePath(path));
+    QStringList files = recentFiles();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    settings_.setValue(kRecentFiles, files.first(std::min(files.size(), kMostRecentFiles)));
+}
+
+void Preferences::removeRecentFile(const QString& path) {
+    QStringList files = recentFiles();
+    files.removeAll(path);
+    settings_.setValue(kRecentFiles, files);
+}
+
+void Preferences::clearRecentFiles() {
+    settings_.remove(kRecentFiles);
+}
+
+QByteArray Preferences::windowGeometry() const {
+    return settings_.value(kWindowGeometry).toByteArray();
+}
+
+void Preferences::setWindowGeometry(const QByteArray& geometry) {
+    settings_.setValue(kWindowGeometry, geometry);
+}
+
+QByteArray Preferences::panelLayout(const QString& tab) const {
+    return settings_.value(layoutKey(tab)).toByteArray();
+}
+
+void Preferences::setPanelLayout(const QString& tab, const QByteArray& layout) {
+    settings_.setValue(layoutKey(tab), layout);
+}
+
+void Preferences::clearPanelLayout(const QString& tab) {
+    settings_.remove(layoutKey(tab));
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "ui/shell/language.h"
+#include "ui/shell/theme.h"
+
+#include <QByteArray>
+#include <QSettings>
+#include <QStringList>
+
+#include <optional>
+
+namespace kriva::ui {
+
+/// What the program remembers of a person between two starts, in $XDG_CONFIG_HOME/kriva/kriva.conf. Whatever stands
+/// there, what is read is valid.
+class Preferences {
+  public:
+    Preferences();
+
+    /// nullopt until one is chosen: the system's language is taken.
+    [[nodiscard]] std::optional<Language> language() const;
+    void setLanguage(Language language);
+
+    [[nodiscard]] Theme theme() const;
+    void setTheme(Theme theme);
+
+    /// Absolute paths, the last one used first, at most ten, no path twice.
+    [[nodiscard]] QStringList recentFiles() const;
+    void addRecentFile(const QString& path);
+    void removeRecentFile(const QString& path);
+    void clearRecentFiles();
+
+    /// Place and size of the window, as QWidget::saveGeometry() gives them; empty at first.
+    [[nodiscard]] QByteArray windowGeometry() const;
+    void setWindowGeometry(const QByteArray& geometry);
+
+    /// How the panels of a tab lie, as QMainWindow::saveState() gives it; empty at first.
+    [[nodiscard]] QByteArray panelLayout(const QString& tab) const;
+    void setPanelLayout(const QString& tab, const QByteArray& layout);
+    void clearPanelLayout(const QString& tab);
+
+  private:
+    QSettings settings_;
+};
+
+} // namespace kriva::ui
