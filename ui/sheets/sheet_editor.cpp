@@ -199,6 +199,15 @@ void SheetEditor::renameCurve(Serial serial, const QString& name) {
                          {QT_TRANSLATE_NOOP("Step", "Rename the curve")});
 }
 
+void SheetEditor::colorCurve(Serial serial, Color color) {
+    const Curve* curve = document_.find(index_, serial);
+    if (!curve)
+        return;
+    CurveStyle style = styleOf(*curve);
+    style.color = color;
+    document_.change(index_, serial, withStyle(*curve, style), {QT_TRANSLATE_NOOP("Step", "Colour the curve")});
+}
+
 void SheetEditor::moveCurve(Serial serial, int index) {
     if (index >= 0 && index < static_cast<int>(sheet().curves.size()))
         document_.reorder(index_, serial, index, {QT_TRANSLATE_NOOP("Step", "Reorder the curves")});
@@ -207,8 +216,8 @@ void SheetEditor::moveCurve(Serial serial, int index) {
 void SheetEditor::activateNextCurve() {
     const std::vector<Serial>& serials = document_.serials(index_);
     if (!serials.empty())
-        document_.setActiveCurve(
-            index_, serials[static_cast<std::size_t>(sheet().view.activeCurve + 1) % serials.size()]);
+        document_.setActiveCurve(index_,
+                                 serials[static_cast<std::size_t>(sheet().view.activeCurve + 1) % serials.size()]);
 }
 
 void SheetEditor::clear() {

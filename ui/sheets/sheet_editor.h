@@ -53,6 +53,7 @@ class SheetEditor : public QObject {
     void duplicateCurve(Serial serial);
     void deleteCurve(Serial serial);
     void renameCurve(Serial serial, const QString& name);
+    void colorCurve(Serial serial, Color color);
     void moveCurve(Serial serial, int index);
     void activateNextCurve();
     /// Deletes all curves in one step.

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/document/document.h"
+#include "core/document/file_error.h"
+#include "ui/document/bounded_read.h"
+#include "ui/document/safe_write.h"
+
+namespace kriva::ui {
+
+/// Why a file could not be opened as a document.
+using OpenError = std::variant<ReadError, FileError>;
+
+/// Reads a document from a `.kriva` file or from a figure of Kriva with its document inside.
+[[nodiscard]] std::variant<Document, OpenError> loadDocument(const QString& path);
+
+/// Writes the document; nothing on success.
+[[nodiscard]] std::optional<WriteError> saveDocument(const QString& path, const Document& document);
+
+} // namespace kriva::ui

@@ -1,0 +1,139 @@
+#include "ui/document/error_text.h"
+
+#include "ui/shell/number_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+namespace kriva::ui {
+namespace {
+
+class Errors {
+    Q_DECLARE_TR_FUNCTIONS(Errors)
+  public:
+    static QString reason(const FileError& error);
+    static QString fault(const ReadError& error, const QString& path);
+    static QString fault(const WriteError& error, const QString& path);
+    static QString atLine(const FileError& error) { return tr("line %1, column %2").arg(error.line).arg(error.column); }
+
+  private:
+    static QString number(const FileError& error, std::size_t i) {
+        return i < error.numbers.size() ? formatNumber(error.numbers[i]) : QString();
+    }
+    static QString words(const FileError& error) {
+        QStringList list;
+        for (const std::string& word : error.words)
+            list.append(QString::fromStdString(word));
+        return list.join(QLatin1String(", "));
+    }
+};
+
+QString Errors::reason(const FileError& error) {
+    switch (error.problem) {
+    case FileProblem::notJson:
+        return tr("this is no JSON");
+    case FileProblem::nestedTooDeep:
+        return tr("nested too deep");
+    case FileProblem::foreignFormat:
+        return tr("this is no document of Kriva");
+    case FileProblem::unknownVersion:
+        return tr("version %1 needs a newer Kriva").arg(number(error, 0));
+    case FileProblem::unknownKey:
+        return tr("unknown key");
+    case FileProblem::repeatedKey:
+        return tr("the key stands here twice");
+    case FileProblem::missingKey:
+        return tr("the key “%1” is missing").arg(words(error));
+    case FileProblem::expectedObject:
+        return tr("expected an object");
+    case FileProblem::expectedList:
+        return tr("expected a list");
+    case FileProblem::expectedText:
+        return tr("expected a text");
+    case FileProblem::expectedTrueOrFalse:
+        return tr("expected true or false");
+    case FileProblem::expectedNumber:
+        return tr("expected a number");
+    case FileProblem::expectedWholeNumber:
+        return tr("expected a whole number from %1 to %2").arg(number(error, 0), number(error, 1));
+    case FileProblem::numberOutOfRange:
+        return tr("expected a number from %1 to %2").arg(number(error, 0), number(error, 1));
+    case FileProblem::numberOutOfOpenRange:
+        return tr("expected a number between %1 and %2").arg(number(error, 0), number(error, 1));
+    case FileProblem::expectedTwoNumbers:
+        return tr("expected two finite numbers");
+    case FileProblem::expectedOneOf:
+        return tr("expected one of: %1").arg(words(error));
+    case FileProblem::expectedColor:
+        return tr("expected a colour like #0072b2");
+    case FileProblem::wrongCount:
+        return tr("expected %n element(s)", nullptr, error.numbers.empty() ? 0 : static_cast<int>(error.numbers[0]));
+    case FileProblem::tooMany:
+        return tr("more than %1 is too many").arg(number(error, 0));
+    case FileProblem::noSuchIndex:
+        return tr("no such index");
+    case FileProblem::tooLarge:
+        return tr("the file is larger than %1 bytes").arg(number(error, 0));
+    case FileProblem::noDocumentInside:
+        return tr("this figure has no document of Kriva inside");
+    case FileProblem::notXml:
+        return tr("this is no XML");
+    }
+    return {};
+}
+
+QString Errors::fault(const ReadError& error, const QString& path) {
+    switch (error.fault) {
+    case ReadFault::Missing:
+        return tr("%1: there is no such file").arg(path);
+    case ReadFault::NotRegular:
+        return tr("%1: this is no regular file").arg(path);
+    case ReadFault::TooLarge:
+        return tr("%1: the file is larger than %2 bytes").arg(path, QString::number(kLargestFile));
+    case ReadFault::Denied:
+        return tr("%1: reading is not permitted").arg(path);
+    case ReadFault::Failed:
+        return tr("%1: the file cannot be read (%2)").arg(path, qt_error_string(error.systemError));
+    }
+    return {};
+}
+
+QString Errors::fault(const WriteError& error, const QString& path) {
+    switch (error.fault) {
+    case WriteFault::NotRegular:
+        return tr("%1: this is no regular file").arg(path);
+    case WriteFault::NoFolder:
+        return tr("%1: there is no such folder").arg(path);
+    case WriteFault::Denied:
+        return tr("%1: writing is not permitted").arg(path);
+    case WriteFault::Full:
+        return tr("%1: there is no space left").arg(path);
+    case WriteFault::Failed:
+        return tr("%1: the file cannot be written (%2)").arg(path, qt_error_string(error.systemError));
+    }
+    return {};
+}
+
+} // namespace
+
+QString errorText(const FileError& error) {
+    const QString place = error.line > 0 ? Errors::atLine(error) : QString::fromStdString(error.place);
+    return place.isEmpty() ? Errors::reason(error) : QStringLiteral("%1: %2").arg(place, Errors::reason(error));
+}
+
+QString errorText(const ReadError& error, const QString& path) {
+    return Errors::fault(error, path);
+}
+
+QString errorText(const OpenError& error, const QString& path) {
+    if (const FileError* refused = std::get_if<FileError>(&error))
+        return QStringLiteral("%1: %2").arg(path, errorText(*refused));
+    return errorText(std::get<ReadError>(error), path);
+}
+
+QString errorText(const WriteError& error, const QString& path) {
+    return Errors::fault(error, path);
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,87 @@
+#include "ui/figures/caption_text.h"
+
+#include "ui/shell/number_text.h"
+
+#include <QCoreApplication>
+
+namespace kriva::ui {
+namespace {
+
+class Captions {
+    Q_DECLARE_TR_FUNCTIONS(Caption)
+  public:
+    // Without a default: the compiler names a caption that has no words yet.
+    static QString text(Caption caption) {
+        switch (caption) {
+        case Caption::none:
+            return {};
+        case Caption::elevation:
+            return tr("Degree elevation");
+        case Caption::subdivision:
+            return tr("Subdivision");
+        case Caption::spline:
+            return tr("Spline");
+        case Caption::combined:
+            return tr("Combined algorithm");
+        case Caption::curve:
+            return tr("Curve");
+        case Caption::controlPolygon:
+            return tr("Control polygon");
+        case Caption::elevatedPolygon:
+            return tr("Elevated polygon");
+        case Caption::points:
+            return tr("Points");
+        case Caption::labels:
+            return tr("Labels");
+        case Caption::construction:
+            return tr("De Casteljau scheme");
+        case Caption::partialCurves:
+            return tr("Curves of degree n − 1");
+        case Caption::pieces:
+            return tr("Pieces");
+        case Caption::leftPolygon:
+            return tr("Left polygon");
+        case Caption::rightPolygon:
+            return tr("Right polygon");
+        case Caption::curvePoint:
+            return tr("Point of the curve");
+        case Caption::blossom:
+            return tr("Blossom");
+        case Caption::partLabels:
+            return tr("Labels of left and right");
+        case Caption::degree:
+            return tr("Degree");
+        case Caption::length:
+            return tr("Length");
+        case Caption::bounds:
+            return tr("Bounds");
+        case Caption::elevatedDegree:
+            return tr("Degree after elevation");
+        case Caption::gap:
+            return tr("Gap between polygon and curve");
+        case Caption::pointAtT:
+            return tr("Point at t");
+        case Caption::derivativeAtT:
+            return tr("Derivative at t");
+        case Caption::pieceCount:
+            return tr("Number of pieces");
+        case Caption::incomplete:
+            return tr("This curve needs more points");
+        }
+        return {};
+    }
+};
+
+} // namespace
+
+QString captionText(Caption caption) {
+    return Captions::text(caption);
+}
+
+TextSource textSource() {
+    return {[](Caption caption) { return captionText(caption).toStdString(); },
+            [](double value, int decimals) { return formatNumber(value, decimals).toStdString(); },
+            QLocale().bcp47Name().toStdString()};
+}
+
+} // namespace kriva::ui

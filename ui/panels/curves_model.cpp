@@ -1,0 +1,86 @@
+#include "ui/panels/curves_model.h"
+
+#include "core/figure/role_style.h"
+#include "ui/sheets/sheet_editor.h"
+
+#include <QColor>
+#include <QFont>
+
+namespace kriva::ui {
+namespace {
+
+QColor colorOf(const Curve& curve) {
+    const Color color = styleOf(curve).color.value_or(styleOf(Role::curve, 0, Theme::light).color);
+    return {color.red, color.green, color.blue};
+}
+
+} // namespace
+
+CurvesModel::CurvesModel(SheetEditor& editor, QObject* parent)
+    : QAbstractListModel(parent)
+    , editor_(editor) {
+    const auto reset = [this] {
+        beginResetModel();
+        endResetModel();
+    };
+    connect(&editor.document(), &OpenDocument::replaced, this, reset);
+    connect(&editor.document(), &OpenDocument::curvesChanged, this, [this, reset](SheetIndex sheet) {
+        if (sheet == editor_.index())
+            reset();
+    });
+    connect(&editor.document(), &OpenDocument::curveChanged, this, [this](SheetIndex sheet, Serial serial) {
+        if (sheet == editor_.index())
+            if (const std::optional<int> row = editor_.document().indexOf(sheet, serial))
+                Q_EMIT dataChanged(index(*row), index(*row));
+    });
+}
+
+int CurvesModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(editor_.sheet().curves.size());
+}
+
+Serial CurvesModel::serialAt(int row) const {
+    return editor_.document().serials(editor_.index())[static_cast<std::size_t>(row)];
+}
+
+QVariant CurvesModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid())
+        return {};
+    const Curve& curve = editor_.sheet().curves[static_cast<std::size_t>(index.row())];
+    switch (role) {
+    case Qt::DisplayRole:
+        return nameOf(curve).empty() ? tr("Curve %1").arg(index.row() + 1) : QString::fromStdString(nameOf(curve));
+    case Qt::EditRole:
+        return QString::fromStdString(nameOf(curve));
+    case Qt::DecorationRole:
+        return colorOf(curve);
+    case Qt::CheckStateRole:
+        return viewOf(curve).isShown ? Qt::Checked : Qt::Unchecked;
+    default:
+        return {};
+    }
+}
+
+bool CurvesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (!index.isValid())
+        return false;
+    const Serial serial = serialAt(index.row());
+    if (role == Qt::EditRole)
+        editor_.renameCurve(serial, value.toString());
+    else if (role == Qt::CheckStateRole)
+        editor_.document().setCurveShown(editor_.index(), serial, value.toInt() == Qt::Checked);
+    else
+        return false;
+    return true;
+}
+
+Qt::ItemFlags CurvesModel::flags(const QModelIndex& index) const {
+    return QAbstractListModel::flags(index) | Qt::ItemIsEditable | Qt::ItemIsUserCheckable;
+}
+
+void CurvesModel::retranslate() {
+    if (rowCount() > 0)
+        Q_EMIT dataChanged(index(0), index(rowCount() - 1));
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,92 @@
+#include "ui/panels/results_panel.h"
+
+#include "ui/panels/result_text.h"
+#include "ui/sheets/sheet_editor.h"
+
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+
+namespace kriva::ui {
+namespace {
+
+constexpr int kShownDigits = 10;
+constexpr int kFullDigits = 17;
+
+} // namespace
+
+ResultsPanel::ResultsPanel(SheetEditor& editor, QWidget* parent)
+    : QTreeWidget(parent)
+    , editor_(editor) {
+    setObjectName(QStringLiteral("results"));
+    setFrameShape(QFrame::NoFrame);
+    setColumnCount(2);
+    setRootIsDecorated(false);
+    setUniformRowHeights(true);
+    setAlternatingRowColors(true);
+    setSelectionMode(QAbstractItemView::ExtendedSelection);
+    header()->setStretchLastSection(true);
+    pending_.setSingleShot(true);
+    pending_.setInterval(0);
+    connect(&pending_, &QTimer::timeout, this, &ResultsPanel::showState);
+    const auto later = [this] { pending_.start(); };
+    connect(&editor.document(), &OpenDocument::replaced, this, later);
+    connect(&editor.document(), &OpenDocument::viewChanged, this, later);
+    connect(&editor.document(), &OpenDocument::curvesChanged, this, later);
+    connect(&editor, &SheetEditor::shownCurveChanged, this, [this](Serial serial) {
+        if (serial == editor_.activeSerial())
+            pending_.start();
+    });
+    retranslateUi();
+}
+
+void ResultsPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    QTreeWidget::changeEvent(event);
+}
+
+void ResultsPanel::retranslateUi() {
+    setAccessibleName(tr("Results"));
+    setHeaderLabels({tr("Name"), tr("Value")});
+    showState();
+}
+
+void ResultsPanel::showState() {
+    pending_.stop();
+    const Curve* curve = editor_.shown(editor_.activeSerial());
+    std::vector<Result> rows;
+    if (curve && isIncomplete(*curve))
+        rows.push_back({Caption::incomplete, {}, std::string()});
+    else if (curve)
+        rows = results(*curve);
+    while (topLevelItemCount() > static_cast<int>(rows.size()))
+        delete takeTopLevelItem(topLevelItemCount() - 1);
+    while (topLevelItemCount() < static_cast<int>(rows.size()))
+        addTopLevelItem(new QTreeWidgetItem);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        QTreeWidgetItem* item = topLevelItem(static_cast<int>(i));
+        item->setText(0, resultName(rows[i]));
+        item->setText(1, resultValue(rows[i], kShownDigits));
+        item->setToolTip(1, resultValue(rows[i], kFullDigits));
+    }
+    resizeColumnToContents(0);
+}
+
+void ResultsPanel::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Copy))
+        copy();
+    else
+        QTreeWidget::keyPressEvent(event);
+}
+
+void ResultsPanel::copy() const {
+    QStringList lines;
+    for (const QTreeWidgetItem* item : selectedItems())
+        lines.append(item->text(0) + QLatin1Char('\t') + item->toolTip(1));
+    QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
+} // namespace kriva::ui

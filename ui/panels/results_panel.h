@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/document/results.h"
+
+#include <QTimer>
+#include <QTreeWidget>
+
+namespace kriva::ui {
+
+class SheetEditor;
+
+/// The numbers of the report for the curve on view, live.
+class ResultsPanel : public QTreeWidget {
+    Q_OBJECT
+  public:
+    explicit ResultsPanel(SheetEditor& editor, QWidget* parent = nullptr);
+    /// Computes and shows at once what otherwise waits for the event loop to turn.
+    void showState();
+
+  protected:
+    void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+  private:
+    void retranslateUi();
+    void copy() const;
+
+    SheetEditor& editor_;
+    QTimer pending_; ///< many changes in one turn of the event loop are one
+};
+
+} // namespace kriva::ui
