@@ -1,0 +1,134 @@
+#include "core/polynomial/least_squares.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace kriva {
+namespace {
+
+using Column = std::vector<DoubleDouble>;
+
+DoubleDouble dot(const Column& a, const Column& b) {
+    DoubleDouble sum;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum = sum + a[i] * b[i];
+    return sum;
+}
+
+/// Takes away from a column its part along a unit column.
+void removePart(Column& column, const Column& unit) {
+    const DoubleDouble part = dot(column, unit);
+    for (std::size_t i = 0; i < column.size(); ++i)
+        column[i] = column[i] - part * unit[i];
+}
+
+/// The x of the points mapped to [-1, 1].
+Column mappedPlaces(std::span<const Point> points) {
+    const auto [low, high] =
+        std::minmax_element(points.begin(), points.end(), [](Point a, Point b) { return a.x < b.x; });
+    const DoubleDouble span = exactSum(high->x, -low->x);
+    Column places;
+    places.reserve(points.size());
+    for (const Point p : points)
+        places.push_back((exactSum(p.x, -low->x) - exactSum(high->x, -p.x)) / span);
+    return places;
+}
+
+/// Makes a column orthogonal to the unit columns and of length 1.
+void orthonormalise(Column& column, const std::vector<Column>& basis) {
+    // Cancellation leaves parts as large as it is strong. Below this factor a second pass is due, and enough (Parlett,
+    // The Symmetric Eigenvalue Problem, section 6.9, after Kahan); above it 28 of 32 digits stand.
+    constexpr double kStrongCancellation = 1e-3;
+    double before = 0;
+    DoubleDouble norm = sqrt(dot(column, column));
+    do {
+        before = norm.high;
+        for (const Column& unit : basis)
+            removePart(column, unit);
+        norm = sqrt(dot(column, column));
+    } while (norm.high < kStrongCancellation * before);
+    for (DoubleDouble& element : column)
+        element = element / norm;
+}
+
+/// Takes away from the values their part in the polynomials of the degree: what is left are the residuals.
+void removePolynomial(Column& values, const Column& places, int degree) {
+    std::vector<Column> basis;
+    Column next(places.size(), DoubleDouble(1));
+    for (int k = 0; k <= degree; ++k) {
+        orthonormalise(next, basis);
+        removePart(values, next);
+        basis.push_back(next);
+        for (std::size_t i = 0; i < next.size(); ++i)
+            next[i] = next[i] * places[i];
+    }
+}
+
+/// Indices of points, the first one farthest out, each further one with the largest product of distances to those
+/// before it: Leja's order, in which Newton's form is stable (Reichel, Newton interpolation at Leja points, BIT 30,
+/// 1990).
+std::vector<std::size_t> spreadPoints(const Column& places, int count) {
+    std::vector<double> product;
+    product.reserve(places.size());
+    for (const DoubleDouble& place : places)
+        product.push_back(std::abs(place.high));
+    std::vector<std::size_t> chosen;
+    for (int k = 0; k < count; ++k) {
+        if (k == 1)
+            product.assign(places.size(), 1);
+        if (k > 0)
+            for (std::size_t i = 0; i < places.size(); ++i)
+                product[i] *= abs(places[i] - places[chosen.back()]).high;
+        chosen.push_back(static_cast<std::size_t>(std::max_element(product.begin(), product.end()) - product.begin()));
+    }
+    return chosen;
+}
+
+/// Taken in units of the largest value, so that small squares do not underflow.
+double rootMeanSquare(const Column& values, double largest) {
+    if (largest == 0)
+        return 0;
+    DoubleDouble sum;
+    for (const DoubleDouble& value : values)
+        sum = sum + (value / largest) * (value / largest);
+    return largest * sqrt(sum / static_cast<double>(values.size())).high;
+}
+
+} // namespace
+
+Fit fitThroughAll(std::span<const Point> points) {
+    std::vector<double> nodes;
+    std::vector<DoubleDouble> values;
+    for (const Point p : points) {
+        nodes.push_back(p.x);
+        values.emplace_back(p.y);
+    }
+    return {interpolate(nodes, values)};
+}
+
+Fit fitLeastSquares(std::span<const Point> points, int degree) {
+    assert(!points.empty() && degree >= 0);
+    if (points.size() <= static_cast<std::size_t>(degree) + 1)
+        return fitThroughAll(points);
+    const Column places = mappedPlaces(points);
+    Column residuals;
+    residuals.reserve(points.size());
+    for (const Point p : points)
+        residuals.emplace_back(p.y);
+    removePolynomial(residuals, places, degree);
+
+    Fit fit;
+    std::vector<double> nodes;
+    std::vector<DoubleDouble> values;
+    for (const std::size_t i : spreadPoints(places, degree + 1)) {
+        nodes.push_back(points[i].x);
+        values.push_back(points[i].y - residuals[i]);
+    }
+    fit.polynomial = interpolate(nodes, values);
+    for (const DoubleDouble& residual : residuals)
+        fit.maxError = std::max(fit.maxError, std::abs(residual.high));
+    fit.rms = rootMeanSquare(residuals, fit.maxError);
+    return fit;
+}
+
+} // namespace kriva
