@@ -1,13 +1,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kriva {
 
 enum class FileProblem {
     notJson,
-    nestedTooDeep,
+    nestedTooDeep, ///< more than numbers[0]
     foreignFormat,
     unknownVersion,
     unknownKey,
@@ -30,6 +31,9 @@ enum class FileProblem {
     tooLarge,         ///< the file, more than numbers[0] bytes
     noDocumentInside, ///< an SVG without a document of Kriva
     notXml,
+    internalSubset,    ///< an XML file that declares things of its own
+    tooManyElements,   ///< of an XML file, more than numbers[0]
+    tooManyAttributes, ///< of one tag, more than numbers[0]
 };
 
 /// Why a file was refused, and where: a path into the document (`sheets.spline.curves[0].knots[3].at`) or, where it
@@ -43,5 +47,8 @@ struct FileError {
     int column = 0;
     friend bool operator==(const FileError&, const FileError&) = default;
 };
+
+/// A problem at a byte of a text: its line and its column, which counts bytes.
+[[nodiscard]] FileError errorAtByte(FileProblem problem, std::string_view text, std::size_t byte);
 
 } // namespace kriva

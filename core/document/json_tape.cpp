@@ -10,17 +10,6 @@
 namespace kriva {
 namespace {
 
-/// The line and column of a byte, counted from 1; columns count bytes.
-FileError errorAt(FileProblem problem, std::string_view text, std::size_t byte) {
-    const std::string_view before = text.substr(0, std::min(byte, text.size()));
-    const auto lineStart = before.rfind('\n') + 1; // npos + 1 is 0: the first line
-    FileError error;
-    error.problem = problem;
-    error.line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
-    error.column = static_cast<int>(before.size() - lineStart) + 1;
-    return error;
-}
-
 struct Outline {
     std::size_t values = 0; ///< an upper bound
     std::size_t tooDeepAt = std::string_view::npos;
@@ -128,15 +117,18 @@ class TapeBuilder {
 std::variant<JsonTape, FileError> parseJson(std::string_view text) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // the library would take it in silence
     if (text.starts_with(kByteOrderMark))
-        return errorAt(FileProblem::notJson, text, 0);
+        return errorAtByte(FileProblem::notJson, text, 0);
     const Outline outline = outlineOf(text);
-    if (outline.tooDeepAt != std::string_view::npos)
-        return errorAt(FileProblem::nestedTooDeep, text, outline.tooDeepAt);
+    if (outline.tooDeepAt != std::string_view::npos) {
+        FileError error = errorAtByte(FileProblem::nestedTooDeep, text, outline.tooDeepAt);
+        error.numbers = {limits::kNesting};
+        return error;
+    }
     JsonTape tape;
     tape.entries.reserve(outline.values);
     TapeBuilder builder(tape);
     if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder))
-        return errorAt(FileProblem::notJson, text, std::max<std::size_t>(builder.errorByte(), 1) - 1);
+        return errorAtByte(FileProblem::notJson, text, std::max<std::size_t>(builder.errorByte(), 1) - 1);
     return tape;
 }
 

@@ -6,7 +6,7 @@
 namespace kriva::limits {
 
 inline constexpr std::size_t kFileBytes = 64u << 20;
-inline constexpr int kNesting = 64;
+inline constexpr int kNesting = 64; ///< of JSON
 inline constexpr double kNumber = 1e9; ///< largest absolute value of any number
 inline constexpr std::size_t kPointsInCurve = 100'000;
 inline constexpr std::size_t kCurvesInSheet = 1'000;
@@ -20,5 +20,8 @@ inline constexpr int kSplineDegreeHigh = 5;
 inline constexpr int kFitDegreeLow = 1;
 inline constexpr int kFitDegreeHigh = 9;
 inline constexpr std::size_t kReportedSegments = 20'000;
+inline constexpr int kXmlNesting = 256;
+inline constexpr int kXmlElements = 1'000'000;
+inline constexpr int kXmlAttributes = 1'000; ///< in one tag
 
 } // namespace kriva::limits

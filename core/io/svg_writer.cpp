@@ -4,6 +4,7 @@
 #include "core/figure/color.h"
 #include "core/figure/label_placement.h"
 #include "core/figure/labels.h"
+#include "core/io/svg_namespace.h"
 #include "core/io/svg_path.h"
 #include "core/io/xml_text.h"
 
@@ -87,6 +88,10 @@ void SvgText::head() {
 void SvgText::layer(const Layer& layer, const std::vector<PlacedLabel>& labels) {
     text_ += "<g";
     attribute("id", "layer-" + std::string(layer.name));
+    if (!labels.empty()) {
+        attribute("font-family", kTextFamily);
+        attribute("font-size", fromPoints(kTextSize));
+    }
     line(">");
     for (const Stroke& s : layer.strokes)
         stroke(s, layer.name == "curve");
@@ -169,8 +174,6 @@ void SvgText::label(const PlacedLabel& label) {
     attribute("x", millimetres(label.baseline.x));
     attribute("y", millimetres(label.baseline.y));
     attribute("text-anchor", kAnchors[static_cast<std::size_t>(label.anchor)]);
-    attribute("font-family", kTextFamily);
-    attribute("font-size", fromPoints(kTextSize));
     if (label.isVariable)
         attribute("font-style", "italic");
     attribute("fill", hexOf(styleOf(label.role, 0, content_.theme).color));

@@ -30,7 +30,4 @@ struct SvgOptions {
 [[nodiscard]] std::string writeSheetSvg(const Document& document, SheetIndex sheet, const TextSource& texts,
                                         const SvgOptions& options = {});
 
-/// The namespace of the element that holds the document in the metadata.
-inline constexpr std::string_view kSvgDocumentNamespace = "https://kriva.invalid/ns";
-
 } // namespace kriva

@@ -1,0 +1,86 @@
+#include "core/io/svg_reader.h"
+
+#include "core/document/document_json.h"
+#include "core/document/limits.h"
+#include "core/io/svg_namespace.h"
+#include "core/io/xml_outline.h"
+
+#include <pugixml.hpp>
+
+namespace kriva {
+namespace {
+
+/// "kriva:document" is "kriva" and "document".
+struct QualifiedName {
+    std::string_view prefix;
+    std::string_view local;
+};
+
+QualifiedName nameOf(const pugi::xml_node& node) {
+    const std::string_view name = node.name();
+    const std::size_t colon = name.find(':');
+    if (colon == std::string_view::npos)
+        return {"", name};
+    return {name.substr(0, colon), name.substr(colon + 1)};
+}
+
+std::string_view namespaceOf(pugi::xml_node node) {
+    const std::string_view prefix = nameOf(node).prefix;
+    const std::string declaration = prefix.empty() ? "xmlns" : "xmlns:" + std::string(prefix);
+    for (; node; node = node.parent())
+        if (const pugi::xml_attribute found = node.attribute(declaration.c_str()))
+            return found.value();
+    return {};
+}
+
+/// The element of ours in the metadata; an empty node where there is none.
+pugi::xml_node documentElement(const pugi::xml_node& svg) {
+    // There is one. Each takes a look at all attributes around it: a hostile file has time for no more than these.
+    int candidates = 100;
+    for (const pugi::xml_node metadata : svg.children()) {
+        if (nameOf(metadata).local != "metadata")
+            continue;
+        for (const pugi::xml_node child : metadata.children())
+            if (nameOf(child).local == "document" && candidates-- > 0 && namespaceOf(child) == kSvgDocumentNamespace)
+                return child;
+    }
+    return {};
+}
+
+std::string textOf(const pugi::xml_node& element) {
+    std::string text;
+    for (const pugi::xml_node child : element.children())
+        text += child.value();
+    return text;
+}
+
+} // namespace
+
+std::variant<Document, FileError> readDocumentFromSvg(std::string_view svg) {
+    if (svg.size() > limits::kFileBytes) {
+        FileError error;
+        error.problem = FileProblem::tooLarge;
+        error.numbers = {static_cast<double>(limits::kFileBytes)};
+        return error;
+    }
+    if (std::optional<FileError> error = xmlLimitError(svg))
+        return std::move(*error);
+    pugi::xml_document xml;
+    const pugi::xml_parse_result parsed =
+        xml.load_buffer(svg.data(), svg.size(), pugi::parse_default, pugi::encoding_utf8);
+    if (!parsed)
+        return errorAtByte(FileProblem::notXml, svg, static_cast<std::size_t>(parsed.offset));
+    const pugi::xml_node element = documentElement(xml.document_element());
+    if (!element) {
+        FileError error;
+        error.problem = FileProblem::noDocumentInside;
+        return error;
+    }
+    std::variant<Document, FileError> document = readDocument(textOf(element));
+    // A line of the JSON says nothing about the file; that of its element does.
+    if (FileError* error = std::get_if<FileError>(&document); error && error->line > 0)
+        return errorAtByte(error->problem, svg, static_cast<std::size_t>(element.offset_debug()));
+    return document;
+}
+
+} // namespace kriva

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/document/document.h"
+#include "core/document/file_error.h"
+
+namespace kriva {
+
+/// The document that Kriva wrote into the metadata of an SVG file, also after another program saved the file anew: its
+/// place and its namespace count, not the prefix. Nothing outside of the text is ever opened.
+[[nodiscard]] std::variant<Document, FileError> readDocumentFromSvg(std::string_view svg);
+
+} // namespace kriva

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/document/document.h"
+#include "core/document/limits.h"
+
+#include <rapidcheck.h>
+
+#include <bit>
+#include <cmath>
+
+namespace kriva::test {
+
+/// A title or a name with everything that writers stumble over: markup, quotes, control characters, emoji, what XML
+/// does not allow.
+inline rc::Gen<std::string> anyText() {
+    const auto piece = rc::gen::element<std::string>("a", "ж", "č", "<", ">", "&", "\"", "'", "\\", "]]>", "\n", "\t",
+                                                     "\x01", "\x7f", "\u0085", "\u202e", "\uFFFE", "\U0001F642", " ");
+    return rc::gen::map(rc::gen::container<std::vector<std::string>>(piece),
+                        [](const std::vector<std::string>& pieces) {
+                            std::string text;
+                            for (const std::string& part : pieces)
+                                text += part;
+                            return text;
+                        });
+}
+
+/// Any double that a document may hold, bit for bit.
+inline rc::Gen<double> anyCoordinate() {
+    const auto fromBits = [](std::uint64_t bits) { return std::bit_cast<double>(bits); };
+    const auto isAllowed = [](double x) { return std::isfinite(x) && std::abs(x) <= limits::kNumber; };
+    return rc::gen::oneOf(rc::gen::element(0.0, -0.0, 1.0 / 3, limits::kNumber, 5e-324),
+                          rc::gen::map(rc::gen::inRange(-1000, 1000), [](int n) { return n / 8.0; }),
+                          rc::gen::suchThat(rc::gen::map(rc::gen::arbitrary<std::uint64_t>(), fromBits), isAllowed));
+}
+
+inline rc::Gen<Points> anyPoints() {
+    const auto point =
+        rc::gen::map(rc::gen::pair(anyCoordinate(), anyCoordinate()), [](const std::pair<double, double>& xy) {
+            return Point{xy.first, xy.second};
+        });
+    return rc::gen::resize(8, rc::gen::container<Points>(point));
+}
+
+/// Some curves in the sheets of elevation and subdivision, with names, styles and views.
+inline rc::Gen<Document> anyDocument() {
+    return rc::gen::exec([] {
+        Document document;
+        document.title = *anyText();
+        document.active = *rc::gen::inRange<SheetIndex>(0, 2);
+        const int curves = *rc::gen::inRange(0, 4);
+        for (int i = 0; i < curves; ++i) {
+            ElevationCurve raised;
+            raised.name = *anyText();
+            raised.points = *anyPoints();
+            raised.times = *rc::gen::inRange(0, 5);
+            raised.view.isShown = *rc::gen::arbitrary<bool>();
+            document.sheets[0].curves.emplace_back(raised);
+            SubdivisionCurve cut;
+            cut.points = *anyPoints();
+            cut.multiplicity.assign(cut.points.size(), *rc::gen::inRange(1, 3));
+            cut.t = *rc::gen::element(0.5, 0.1, 1.0 / 3);
+            cut.style.width = *rc::gen::element(0.5, 2.25);
+            document.sheets[1].curves.emplace_back(cut);
+        }
+        document.sheets[0].view.layers["labels"] = *rc::gen::arbitrary<bool>();
+        return document;
+    });
+}
+
+} // namespace kriva::test
