@@ -1,0 +1,60 @@
+#include "core/document/limits.h"
+#include "core/elevation/elevation_edits.h"
+
+#include <gtest/gtest.h>
+
+namespace kriva {
+namespace {
+
+ElevationCurve example() {
+    ElevationCurve curve;
+    curve.name = "arch";
+    curve.points = {{0, 0}, {1, 2}, {3, 1}};
+    curve.times = 4;
+    return curve;
+}
+
+TEST(ElevationEdits, aNewPointStandsAtTheEnd) {
+    const auto [curve, map] = withPointAdded(example(), {5, 5});
+    EXPECT_EQ(curve.points, (Points{{0, 0}, {1, 2}, {3, 1}, {5, 5}}));
+    EXPECT_EQ(curve.times, 4);
+    EXPECT_EQ(map(2), 2);
+}
+
+TEST(ElevationEdits, removingFollowsTheMap) {
+    const auto [curve, map] = withPointsRemoved(example(), {0, 2});
+    EXPECT_EQ(curve.points, (Points{{1, 2}}));
+    EXPECT_EQ(map.newIndex, (std::vector{IndexMap::kGone, 0, IndexMap::kGone}));
+}
+
+TEST(ElevationEdits, reversedRunsFromTheOtherEnd) {
+    const auto [curve, map] = reversed(example());
+    EXPECT_EQ(curve.points, (Points{{3, 1}, {1, 2}, {0, 0}}));
+    EXPECT_EQ(map.newIndex, (std::vector{2, 1, 0}));
+    EXPECT_EQ(reversed(curve).curve, example());
+}
+
+TEST(ElevationEdits, everyPointHasOneGrip) {
+    const std::vector<Grip> all = grips(example());
+    ASSERT_EQ(all.size(), 3u);
+    EXPECT_EQ(all[2], (Grip{{GripKind::point, 2}, {3, 1}}));
+}
+
+TEST(ElevationEdits, namedGripsMoveTogetherOnceAndStrangersNot) {
+    const std::vector<GripId> ids{{GripKind::point, 2},
+                                  {GripKind::point, 0},
+                                  {GripKind::point, 2},
+                                  {GripKind::point, -1},
+                                  {GripKind::outHandle, 1}};
+    EXPECT_EQ(withGripsMoved(example(), ids, {1, -1}).points, (Points{{1, -1}, {1, 2}, {4, 0}}));
+}
+
+TEST(ElevationEdits, countThePointsOfTheElevatedPolygon) {
+    EXPECT_EQ(pointCount(example()), 3u);
+    EXPECT_EQ(derivedPointCount(example()), 7u);
+    EXPECT_EQ(mostPoints(example()), limits::kControlPoints);
+    EXPECT_EQ(derivedPointCount(withPointsRemoved(example(), {0, 1}).curve), 0u);
+}
+
+} // namespace
+} // namespace kriva

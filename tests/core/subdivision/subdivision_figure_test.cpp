@@ -1,0 +1,144 @@
+#include "core/subdivision/subdivision_figure.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+namespace kriva {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+SubdivisionCurve example() {
+    SubdivisionCurve curve;
+    curve.points = {{0, 0}, {0, 2}, {8, 2}, {4, 0}};
+    curve.multiplicity = {1, 1, 1, 1};
+    curve.levels = 2;
+    return curve;
+}
+
+std::vector<std::string_view> names(const Figure& figure) {
+    std::vector<std::string_view> all;
+    for (const Layer& layer : figure.layers)
+        all.push_back(layer.name);
+    return all;
+}
+
+Layer layerNamed(std::string_view name, const SubdivisionCurve& curve) {
+    for (Layer& layer : figureOf(curve, {}).layers)
+        if (layer.name == name)
+            return layer;
+    ADD_FAILURE() << "no layer " << name;
+    return {};
+}
+
+TEST(SubdivisionFigure, hasTheLayersOfItsTableInTheirOrder) {
+    std::vector<std::string_view> table;
+    for (const LayerInfo& info : layersOf(SubdivisionCurve{}))
+        table.push_back(info.name);
+    EXPECT_EQ(names(figureOf(example(), {})), table);
+}
+
+TEST(SubdivisionFigure, derivesNothingFromCurvesThatAreNotActive) {
+    EXPECT_THAT(names(figureOf(example(), {0, false})), ElementsAre("control-polygon", "curve", "points", "labels"));
+}
+
+TEST(SubdivisionFigure, ofAnIncompleteCurveShowsItsPoints) {
+    SubdivisionCurve curve;
+    curve.points = {{1, 1}};
+    curve.multiplicity = {2};
+    EXPECT_THAT(names(figureOf(curve, {})), ElementsAre("control-polygon", "points", "labels"));
+}
+
+TEST(SubdivisionFigure, constructionHasOneLineForEachRowBetweenPolygonAndPoint) {
+    const Layer layer = layerNamed("construction", example());
+    ASSERT_EQ(layer.strokes.size(), 2u);
+    EXPECT_EQ(layer.strokes[0].path, polyline(Points{{0, 1}, {4, 2}, {6, 1}}));
+    EXPECT_EQ(layer.strokes[0].series, 1);
+    EXPECT_EQ(layer.strokes[1].path, polyline(Points{{2, 1.5}, {5, 1.5}}));
+    EXPECT_EQ(layer.strokes[1].series, 2);
+    EXPECT_THAT(layerNamed("curve-point", example()).marks[0].at, ElementsAre(Point{3.5, 1.5}));
+}
+
+TEST(SubdivisionFigure, piecesAreOneLineWithMarksWhereTheyMeet) {
+    const Layer layer = layerNamed("pieces", example());
+    ASSERT_EQ(layer.strokes.size(), 1u);
+    EXPECT_EQ(layer.strokes[0].path.points.size(), 4u * 3 + 1);
+    EXPECT_EQ(layer.marks[0].at.size(), 5u);
+    EXPECT_EQ(layer.marks[0].at[2], (Point{3.5, 1.5}));
+}
+
+TEST(SubdivisionFigure, leftAndRightMeetOnTheCurve) {
+    const Layer left = layerNamed("left", example());
+    const Layer right = layerNamed("right", example());
+    EXPECT_EQ(left.strokes[0].role, Role::left);
+    EXPECT_EQ(right.strokes[0].role, Role::right);
+    EXPECT_EQ(left.strokes[0].path.points.back(), right.strokes[0].path.points.front());
+}
+
+TEST(SubdivisionFigure, drawsTheCurveWithItsControlPointsAsOftenAsTheyStand) {
+    SubdivisionCurve curve = example();
+    curve.multiplicity = {1, 3, 1, 1};
+    EXPECT_EQ(layerNamed("curve", curve).strokes[0].path.degrees, std::vector{5});
+    EXPECT_EQ(layerNamed("points", curve).marks[0].at, curve.points);
+}
+
+TEST(SubdivisionFigure, labelsTellHowOftenAPointStands) {
+    SubdivisionCurve curve = example();
+    curve.multiplicity = {1, 3, 1, 1};
+    const std::vector<Label> labels = layerNamed("labels", curve).labels;
+    ASSERT_EQ(labels.size(), 4u);
+    EXPECT_EQ(labels[0].suffix, "");
+    EXPECT_EQ(labels[1], (Label{{0, 2}, Caption::none, "b", "1", Role::label, "\u00d73"}));
+}
+
+TEST(SubdivisionFigure, labelsOfThePartsKeepOutOfEachOthersWay) {
+    const std::vector<Label> labels = layerNamed("part-labels", example()).labels;
+    ASSERT_EQ(labels.size(), 8u);
+    EXPECT_EQ(labels[3].text + labels[3].subscript, "l3");
+    EXPECT_EQ(labels[4].text + labels[4].subscript, "r0");
+    EXPECT_EQ(labels[3].at, labels[4].at);
+    EXPECT_NE(labels[3].side, labels[4].side);
+    EXPECT_NE(labels[0].side, layerNamed("labels", example()).labels[0].side);
+}
+
+TEST(SubdivisionFigure, namesTheBlossomByItsArguments) {
+    SubdivisionCurve curve = example();
+    EXPECT_THAT(layerNamed("blossom", curve).marks, IsEmpty());
+    curve.blossom = {0.25, 0.5, 0.75};
+    EXPECT_THAT(layerNamed("blossom", curve).marks[0].at, ElementsAre(Point{3.625, 1.625}));
+    EXPECT_EQ(layerNamed("blossom", curve).labels[0].text, "b[t1,t2,t3]");
+    curve.multiplicity[0] = 2;
+    curve.blossom = {0, 0.25, 0.5, 0.75};
+    EXPECT_EQ(layerNamed("blossom", curve).labels[0].text, "b[t1,...,t4]");
+}
+
+TEST(SubdivisionFigure, leavesOutABlossomBeyondTheLimitsOfNumbers) {
+    SubdivisionCurve curve = example();
+    curve.blossom = {1e9, 1e9, 1e9};
+    EXPECT_THAT(layerNamed("blossom", curve).marks, IsEmpty());
+}
+
+TEST(SubdivisionFigure, partialCurvesAreOffAtFirstAndMeetTheLineThroughThePoint) {
+    const auto table = layersOf(SubdivisionCurve{});
+    const auto row = std::find_if(table.begin(), table.end(), [](const auto& l) { return l.name == "partial-curves"; });
+    EXPECT_FALSE(row->isShownAtFirst);
+    const Layer layer = layerNamed("partial-curves", example());
+    ASSERT_EQ(layer.strokes.size(), 3u);
+    EXPECT_EQ(layer.strokes[0].path, singleCurve(Points{{0, 0}, {0, 2}, {8, 2}}));
+    EXPECT_EQ(layer.strokes[1].path, singleCurve(Points{{0, 2}, {8, 2}, {4, 0}}));
+    EXPECT_EQ(layer.strokes[2].path, polyline(Points{{2, 1.5}, {5, 1.5}}));
+}
+
+TEST(SubdivisionFigure, aLineHasNoPartialCurves) {
+    SubdivisionCurve curve = example();
+    curve.points.resize(2);
+    curve.multiplicity.resize(2);
+    EXPECT_THAT(layerNamed("partial-curves", curve).strokes, IsEmpty());
+    EXPECT_THAT(layerNamed("construction", curve).strokes, IsEmpty());
+}
+
+} // namespace
+} // namespace kriva
