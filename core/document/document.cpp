@@ -90,6 +90,10 @@ std::size_t pointCount(const Curve& curve) {
     return std::visit([](const auto& c) { return pointCount(c); }, curve);
 }
 
+Point pointAt(const Curve& curve, int index) {
+    return std::visit([&](const auto& c) { return pointAt(c, index); }, curve);
+}
+
 std::size_t derivedPointCount(const Curve& curve) {
     return std::visit([](const auto& c) { return derivedPointCount(c); }, curve);
 }
@@ -106,8 +110,8 @@ Curve withGripsMoved(const Curve& curve, std::span<const GripId> ids, Vector by)
     return std::visit([&](const auto& c) { return Curve(withGripsMoved(c, ids, by)); }, curve);
 }
 
-Edited<Curve> withPointAdded(const Curve& curve, Point at) {
-    return std::visit([&](const auto& c) { return widened(withPointAdded(c, at)); }, curve);
+Edited<Curve> withPointAdded(Curve curve, Point at) {
+    return std::visit([&](auto&& c) { return widened(withPointAdded(std::move(c), at)); }, std::move(curve));
 }
 
 Edited<Curve> withPointsRemoved(const Curve& curve, const std::vector<int>& indices) {

@@ -47,11 +47,13 @@ struct Document {
 [[nodiscard]] Curve withStyle(Curve curve, CurveStyle style);
 [[nodiscard]] bool isIncomplete(const Curve& curve);
 [[nodiscard]] std::size_t pointCount(const Curve& curve);
+[[nodiscard]] Point pointAt(const Curve& curve, int index);
 [[nodiscard]] std::size_t derivedPointCount(const Curve& curve);
 [[nodiscard]] std::size_t mostPoints(const Curve& curve);
 [[nodiscard]] std::vector<Grip> grips(const Curve& curve);
 [[nodiscard]] Curve withGripsMoved(const Curve& curve, std::span<const GripId> ids, Vector by);
-[[nodiscard]] Edited<Curve> withPointAdded(const Curve& curve, Point at);
+/// By value, so that adding many to a moved curve copies nothing.
+[[nodiscard]] Edited<Curve> withPointAdded(Curve curve, Point at);
 [[nodiscard]] Edited<Curve> withPointsRemoved(const Curve& curve, const std::vector<int>& indices);
 [[nodiscard]] Edited<Curve> reversed(const Curve& curve);
 [[nodiscard]] std::span<const LayerInfo> layersOf(SheetIndex sheet);

@@ -20,8 +20,8 @@ ElevationCurve withGripsMoved(const ElevationCurve& curve, std::span<const GripI
     return moved;
 }
 
-Edited<ElevationCurve> withPointAdded(const ElevationCurve& curve, Point at) {
-    Edited<ElevationCurve> edited{curve, {}};
+Edited<ElevationCurve> withPointAdded(ElevationCurve curve, Point at) {
+    Edited<ElevationCurve> edited{std::move(curve), {}};
     edited.curve.points.push_back(at);
     return edited;
 }

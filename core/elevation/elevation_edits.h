@@ -14,6 +14,9 @@ namespace kriva {
 [[nodiscard]] inline std::size_t pointCount(const ElevationCurve& curve) {
     return curve.points.size();
 }
+[[nodiscard]] inline Point pointAt(const ElevationCurve& curve, int index) {
+    return curve.points[static_cast<std::size_t>(index)];
+}
 /// How many points its results hold: they are limited over the whole sheet.
 [[nodiscard]] inline std::size_t derivedPointCount(const ElevationCurve& curve) {
     return isIncomplete(curve) ? 0 : curve.points.size() + static_cast<std::size_t>(curve.times);
@@ -23,7 +26,7 @@ namespace kriva {
 
 /// All the named grips moved by the same vector; grips that do not exist are passed over.
 [[nodiscard]] ElevationCurve withGripsMoved(const ElevationCurve& curve, std::span<const GripId> ids, Vector by);
-[[nodiscard]] Edited<ElevationCurve> withPointAdded(const ElevationCurve& curve, Point at);
+[[nodiscard]] Edited<ElevationCurve> withPointAdded(ElevationCurve curve, Point at);
 /// `indices` ascending. The degree falls.
 [[nodiscard]] Edited<ElevationCurve> withPointsRemoved(const ElevationCurve& curve, const std::vector<int>& indices);
 [[nodiscard]] Edited<ElevationCurve> reversed(const ElevationCurve& curve);

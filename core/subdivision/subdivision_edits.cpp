@@ -40,8 +40,8 @@ SubdivisionCurve withGripsMoved(const SubdivisionCurve& curve, std::span<const G
     return moved;
 }
 
-Edited<SubdivisionCurve> withPointAdded(const SubdivisionCurve& curve, Point at) {
-    Edited<SubdivisionCurve> edited{curve, {}};
+Edited<SubdivisionCurve> withPointAdded(SubdivisionCurve curve, Point at) {
+    Edited<SubdivisionCurve> edited{std::move(curve), {}};
     edited.curve.points.push_back(at);
     edited.curve.multiplicity.push_back(1);
     fitBlossom(edited.curve);

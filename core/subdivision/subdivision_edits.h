@@ -16,6 +16,9 @@ namespace kriva {
 [[nodiscard]] inline std::size_t pointCount(const SubdivisionCurve& curve) {
     return curve.points.size();
 }
+[[nodiscard]] inline Point pointAt(const SubdivisionCurve& curve, int index) {
+    return curve.points[static_cast<std::size_t>(index)];
+}
 /// How many points its results hold, those of all pieces: they are limited over the whole sheet.
 [[nodiscard]] std::size_t derivedPointCount(const SubdivisionCurve& curve);
 /// The most points that this curve may have, given its multiplicities and levels.
@@ -24,7 +27,7 @@ namespace kriva {
 /// All the named grips moved by the same vector; grips that do not exist are passed over.
 [[nodiscard]] SubdivisionCurve withGripsMoved(const SubdivisionCurve& curve, std::span<const GripId> ids, Vector by);
 /// The new point stands once.
-[[nodiscard]] Edited<SubdivisionCurve> withPointAdded(const SubdivisionCurve& curve, Point at);
+[[nodiscard]] Edited<SubdivisionCurve> withPointAdded(SubdivisionCurve curve, Point at);
 /// `indices` ascending. The degree falls.
 [[nodiscard]] Edited<SubdivisionCurve> withPointsRemoved(const SubdivisionCurve& curve,
                                                          const std::vector<int>& indices);

@@ -111,12 +111,21 @@ void SheetEditor::applyMap(Serial serial, const IndexMap& map) {
 }
 
 void SheetEditor::addPoint(Point at) {
+    addPoints(std::span(&at, 1));
+}
+
+void SheetEditor::addPoints(std::span<const Point> points) {
     if (!activeCurve())
         newCurve();
     const Serial serial = activeSerial();
-    if (document_.change(index_, serial, withPointAdded(*activeCurve(), at).curve,
-                         {QT_TRANSLATE_NOOP("Step", "Add a point")}))
-        select({{serial, {GripKind::point, static_cast<int>(pointCount(*activeCurve())) - 1}}});
+    Curve curve = *activeCurve();
+    for (const Point at : points)
+        curve = withPointAdded(std::move(curve), at).curve;
+    const StepLabel label = points.size() == 1 ? StepLabel{QT_TRANSLATE_NOOP("Step", "Add a point")}
+                                               : StepLabel{QT_TRANSLATE_NOOP("Step", "Add points")};
+    const int last = static_cast<int>(pointCount(curve)) - 1;
+    if (document_.change(index_, serial, std::move(curve), label))
+        select({{serial, {GripKind::point, last}}});
 }
 
 void SheetEditor::removePoints(Serial serial, const std::vector<int>& indices) {
@@ -147,10 +156,7 @@ void SheetEditor::placePoint(int index, Point at) {
     if (!curve)
         return;
     const GripId id{GripKind::point, index};
-    const std::vector<Grip> all = grips(*curve);
-    const auto grip = std::find_if(all.begin(), all.end(), [&](const Grip& g) { return g.id == id; });
-    if (grip != all.end())
-        change(withGripsMoved(*curve, std::span(&id, 1), at - grip->at), moveLabel(id));
+    change(withGripsMoved(*curve, std::span(&id, 1), at - pointAt(*curve, index)), moveLabel(id));
 }
 
 void SheetEditor::nudge(Vector by) {

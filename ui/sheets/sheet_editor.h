@@ -35,6 +35,8 @@ class SheetEditor : public QObject {
 
     // Points.
     void addPoint(Point at);
+    /// At the end of the active curve, in one step.
+    void addPoints(std::span<const Point> points);
     void removePoints(Serial serial, const std::vector<int>& indices);
     void removeSelected();
     void removeLastPoint();

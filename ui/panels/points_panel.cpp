@@ -1,0 +1,126 @@
+#include "ui/panels/points_panel.h"
+
+#include "core/document/limits.h"
+#include "ui/panels/number_field.h"
+#include "ui/panels/pasted_points.h"
+#include "ui/sheets/sheet_editor.h"
+#include "ui/shell/number_text.h"
+
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QStyledItemDelegate>
+
+#include <algorithm>
+
+namespace kriva::ui {
+namespace {
+
+/// Edits coordinates in the one number field, so that 0.5 and 0,5 mean the same here too.
+class CoordinateDelegate : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
+        auto* field = new NumberField(parent);
+        field->setRange({-limits::kNumber, limits::kNumber});
+        field->setFrame(false);
+        return field;
+    }
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+        static_cast<NumberField*>(editor)->setValue(index.data(Qt::EditRole).toDouble());
+    }
+    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {
+        auto* field = static_cast<NumberField*>(editor);
+        if (field->commit() && field->value() != index.data(Qt::EditRole).toDouble())
+            model->setData(index, field->value(), Qt::EditRole);
+    }
+};
+
+} // namespace
+
+PointsPanel::PointsPanel(SheetEditor& editor, const std::vector<PointColumn>& columns, QWidget* parent)
+    : QTableView(parent)
+    , editor_(editor)
+    , model_(editor, columns) {
+    setObjectName(QStringLiteral("points"));
+    setModel(&model_);
+    setFrameShape(QFrame::NoFrame);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setAlternatingRowColors(true);
+    setShowGrid(false);
+    setTabKeyNavigation(false);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    auto* coordinates = new CoordinateDelegate(this);
+    setItemDelegateForColumn(PointsModel::kX, coordinates);
+    setItemDelegateForColumn(PointsModel::kY, coordinates);
+    connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &PointsPanel::takeSelection);
+    connect(&editor, &SheetEditor::selectionChanged, this, &PointsPanel::showSelection);
+    retranslateUi();
+}
+
+void PointsPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    QTableView::changeEvent(event);
+}
+
+void PointsPanel::retranslateUi() {
+    setAccessibleName(tr("Points"));
+    model_.retranslate();
+}
+
+void PointsPanel::showSelection() {
+    QItemSelection rows;
+    const int last = model_.columnCount() - 1;
+    for (const int point : editor_.selectedPoints())
+        if (point < model_.rowCount())
+            rows.select(model_.index(point, 0), model_.index(point, last));
+    isShowingSelection_ = true; // the view must hear of it, but it is no wish of a person
+    selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+    isShowingSelection_ = false;
+    if (!rows.isEmpty())
+        scrollTo(rows.last().topLeft());
+}
+
+void PointsPanel::takeSelection() {
+    if (isShowingSelection_)
+        return;
+    Selection chosen;
+    for (const QModelIndex& row : selectionModel()->selectedRows())
+        chosen.insert({editor_.activeSerial(), {GripKind::point, row.row()}});
+    editor_.select(std::move(chosen));
+}
+
+void PointsPanel::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Copy))
+        copy();
+    else if (event->matches(QKeySequence::Paste))
+        paste();
+    else if (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace)
+        editor_.removeSelected();
+    else
+        QTableView::keyPressEvent(event);
+}
+
+void PointsPanel::copy() const {
+    QStringList lines;
+    for (const int row : editor_.selectedPoints()) {
+        const Point point = model_.pointAt(row);
+        lines.append(formatNumber(point.x) + QLatin1Char('\t') + formatNumber(point.y));
+    }
+    QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
+void PointsPanel::paste() {
+    const std::optional<Points> points = pastedPoints(QGuiApplication::clipboard()->text());
+    if (points)
+        editor_.addPoints(*points);
+    else
+        Q_EMIT editor_.hint(QT_TRANSLATE_NOOP("Hint", "The clipboard holds no table of two numbers in each line"));
+}
+
+} // namespace kriva::ui
