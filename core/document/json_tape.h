@@ -12,14 +12,17 @@ namespace kriva {
 
 enum class JsonKind : std::uint8_t { null, boolean, number, text, list, object };
 
+/// Where a text stands among the texts of a tape.
+struct JsonTextRange {
+    std::uint32_t offset;
+    std::uint32_t size;
+};
+
 /// One value of a tape. The members of a list follow it; those of an object follow it as text, value, text, value.
 struct JsonEntry {
     union {
         double number;
-        struct {
-            std::uint32_t offset;
-            std::uint32_t size;
-        } text;
+        JsonTextRange text;
     };
     std::uint32_t next = 0; ///< where the entry behind this value and all its members stands
     JsonKind kind = JsonKind::null;

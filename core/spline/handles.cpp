@@ -72,7 +72,7 @@ std::vector<Vector> runTangents(const SplineCurve& curve, std::span<const Vector
     std::optional<Vector> end = storedIn(last);
     if (end)
         end = -*end;
-    const std::vector<Vector> natural = c2Tangents(chords, start, end);
+    std::vector<Vector> natural = c2Tangents(chords, start, end);
     if (curve.rule != SplineCurve::Rule::clamped || curve.closed || (start && end))
         return natural;
     // An end with neither a stored handle nor a derivative keeps the natural spline's, whatever the other end has.

@@ -12,7 +12,7 @@
 namespace kriva::ui {
 namespace {
 
-constexpr qint64 kChunk = 256 * 1024;
+constexpr qint64 kChunk = 256 << 10;
 
 [[nodiscard]] ReadError readError(int systemError) {
     switch (systemError) {

@@ -22,7 +22,7 @@ struct ReadError {
 };
 
 /// The largest file that is read at all: 64 MiB.
-inline constexpr qint64 kLargestFile = 64 * 1024 * 1024;
+inline constexpr qint64 kLargestFile = 64 << 20;
 
 /// All bytes of the regular file at `path`; never waits for a pipe or a device, and never holds more than one byte
 /// above `limit`, however the file grows meanwhile.

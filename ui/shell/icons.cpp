@@ -67,7 +67,8 @@ class SvgIcon : public QIconEngine {
         pixmap.fill(Qt::transparent);
         QPainter painter(&pixmap);
         const int side = std::min(size.width(), size.height());
-        QSvgRenderer(file_).render(&painter, QRectF((size.width() - side) / 2, (size.height() - side) / 2, side, side));
+        const QRect square((size.width() - side) / 2, (size.height() - side) / 2, side, side);
+        QSvgRenderer(file_).render(&painter, square);
         if (const auto color = tint(mode)) {
             painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
             painter.fillRect(pixmap.rect(), *color);

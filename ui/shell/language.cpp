@@ -85,7 +85,7 @@ class LanguageSwitch::Catalogues : public QTranslator {
     [[nodiscard]] QString translate(const char* context, const char* source, const char* comment,
                                     int count) const override {
         for (const auto& catalogue : catalogues_) {
-            const QString text = catalogue->translate(context, source, comment, count);
+            QString text = catalogue->translate(context, source, comment, count);
             if (!text.isNull())
                 return text;
         }
