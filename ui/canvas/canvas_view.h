@@ -1,0 +1,105 @@
+#pragma once
+
+#include "ui/canvas/canvas_scene.h"
+#include "ui/canvas/gestures.h"
+#include "ui/canvas/key_gestures.h"
+
+#include <QGraphicsView>
+
+namespace kriva::ui {
+
+/// The canvas of a tab: shows figures, turns mouse and keys into wishes, and holds what is view state: zoom, tool,
+/// hover. Curves and selection are the tab's, which gives them whenever they change.
+/// Actions added to the canvas are triggered by their single-key shortcuts on every keyboard layout.
+class CanvasView : public QGraphicsView {
+    Q_OBJECT
+
+  public:
+    explicit CanvasView(CanvasClient& client, QWidget* parent = nullptr);
+
+    /// All curves, from the lowest to the topmost.
+    void setCurves(std::vector<CanvasCurve> curves) { scene_.setCurves(std::move(curves)); }
+    /// One curve in place; the others are not touched.
+    void updateCurve(CanvasCurve curve) { scene_.updateCurve(std::move(curve)); }
+    void setSelection(Selection selection) { scene_.setSelection(std::move(selection)); }
+    [[nodiscard]] const Selection& selection() const { return scene_.selection(); }
+
+    void setTool(Tool tool);
+    [[nodiscard]] Tool tool() const { return tool_; }
+    void setTheme(Theme theme);
+    /// Also where the language changed: labels and numbers are made anew.
+    void setTextSource(TextSource texts);
+    void setGridShown(bool isShown);
+    [[nodiscard]] bool isGridShown() const { return isGridShown_; }
+    void setAxesShown(bool areShown) { scene_.setAxesShown(areShown); }
+    /// Ends a drag that is going on as if the button had been released.
+    void endGesture() { gestures_.finish(); }
+
+    /// Pixels per document unit at 100 %. What is seen stays.
+    void setUnitScale(double pixelsPerUnit);
+    [[nodiscard]] double zoomPercent() const { return 100 * mapping().zoom(); }
+    void zoomIn();
+    void zoomOut();
+    void zoomTo100();
+    void fitAll();
+    /// All, where nothing is selected.
+    void fitSelection();
+    [[nodiscard]] const Viewport& mapping() const { return scene_.mapping(); }
+    void setMapping(const Viewport& mapping);
+
+    // What the gestures ask for.
+
+    [[nodiscard]] Hit hitAt(QPointF pixel) { return scene_.hitAt(pixel); }
+    [[nodiscard]] Selection pointsIn(const QRectF& pixels) const { return scene_.pointsIn(pixels); }
+    [[nodiscard]] std::vector<GripRef> points() const { return scene_.points(); }
+    void hover(QPointF pixel, Qt::KeyboardModifiers modifiers);
+    /// Scrolls just so far that the grip is seen.
+    void reveal(const GripRef& grip);
+    void setRubberBand(std::optional<QRectF> band) { scene_.setRubberBand(band); }
+    void requestContextMenu(QPointF pixel);
+    /// Gives the focus to the next widget.
+    void leave();
+
+  Q_SIGNALS:
+    void zoomChanged(double percent);
+    void pointerMoved(kriva::Point at);
+    void toolChanged(kriva::ui::Tool tool);
+    void gridShownChanged(bool isShown);
+    /// By the right button, where it was pressed, or by the menu key.
+    void contextMenuRequested(QPoint globalPosition, const kriva::ui::Hit& under);
+
+  protected:
+    bool event(QEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    bool focusNextPrevChild(bool isNext) override;
+
+  private:
+    void applyLook();
+    void zoomAround(QPointF pixel, double factor);
+    void fit(const kriva::Box& box); // QFrame has a Box of its own
+
+    CanvasClient& client_;
+    CanvasScene scene_;
+    Gestures gestures_;
+    KeyGestures keys_;
+    Tool tool_ = Tool::edit;
+    Theme theme_ = Theme::light;
+    TextSource texts_;
+    bool isGridShown_ = true;
+    bool isFitDue_ = false; ///< until it is painted, a new size fits all again
+};
+
+} // namespace kriva::ui

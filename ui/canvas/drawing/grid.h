@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/figure/text_source.h"
+#include "ui/canvas/viewport.h"
+
+#include <QColor>
+#include <QFont>
+
+class QPainter;
+
+namespace kriva::ui {
+
+/// What of the background is shown, and in which colours.
+struct GridLook {
+    bool hasGrid = true;
+    bool hasAxes = true;
+    QColor ink;
+    QColor paper;
+    QFont font;
+};
+
+/// The distance of the grid's lines in document units: 1, 2 or 5 times a power of ten, so that they are at least
+/// kGridSpacing pixels apart. Also the way of one arrow key.
+[[nodiscard]] double gridStep(const Viewport& viewport);
+inline constexpr double kGridSpacing = 16;
+
+/// The multiples of `step` from `low` to `high`, ascending; at most 10,000.
+[[nodiscard]] std::vector<double> multiples(double step, double low, double high);
+
+/// Lines, the two axes and their numbers, which stay at the edge where the axis itself is out of sight.
+void paintGrid(QPainter& painter, const Viewport& viewport, const GridLook& look, const TextSource& texts);
+
+} // namespace kriva::ui

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "ui/canvas/drawing/label_layout.h"
+#include "ui/canvas/drawing/stamps.h"
+#include "ui/canvas/drawing/visible_path.h"
+
+#include <QGraphicsItem>
+#include <QPen>
+
+namespace kriva::ui {
+
+/// How a canvas shows its figures at the moment.
+struct Sight {
+    Viewport viewport;
+    LabelLook labels;
+    Fineness fineness;
+    double devicePixelRatio = 1;
+
+    [[nodiscard]] QRectF rectangle() const { return {{}, viewport.size}; }
+};
+
+/// The figure of one curve. What is seen of it is worked out in prepare(); painting only draws.
+class FigureItem : public QGraphicsItem {
+  public:
+    void setFigure(Figure figure) { figure_ = std::move(figure); }
+    [[nodiscard]] const Figure& figure() const { return figure_; }
+
+    void prepare(const Sight& sight);
+    /// Of all polylines, as prepared.
+    [[nodiscard]] std::size_t pointCount() const { return pointCount_; }
+    /// The polylines of the curve itself, by which it is taken hold of.
+    [[nodiscard]] const std::vector<QPolygonF>& curveLines() const { return curveLines_; }
+
+    [[nodiscard]] QRectF boundingRect() const override { return seen_; }
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+  private:
+    struct Line {
+        QPen pen;
+        std::vector<QPolygonF> polylines;
+    };
+    struct PreparedLayer {
+        std::vector<Line> lines;
+        std::vector<Stamps> marks;
+        std::vector<PlacedLabel> labels;
+    };
+
+    void prepareStroke(const Stroke& stroke, const Sight& sight, PreparedLayer& layer);
+    [[nodiscard]] std::vector<QRectF> markBoxes() const;
+
+    Figure figure_;
+    std::vector<PreparedLayer> layers_;
+    std::vector<QPolygonF> curveLines_;
+    std::size_t pointCount_ = 0;
+    LabelLook look_;
+    double devicePixelRatio_ = 1;
+    QRectF seen_;
+};
+
+} // namespace kriva::ui

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "ui/canvas/canvas_client.h"
+
+#include <QPointF>
+#include <QRectF>
+
+class QMouseEvent;
+
+namespace kriva::ui {
+
+class CanvasView;
+
+enum class Tool { edit, add };
+
+/// Turns what the mouse does on a canvas into wishes: which press means what, and where a click becomes a drag.
+class Gestures {
+  public:
+    Gestures(CanvasView& view, CanvasClient& client);
+
+    void press(const QMouseEvent& event);
+    void move(const QMouseEvent& event);
+    void release(const QMouseEvent& event);
+    void doubleClick(const QMouseEvent& event);
+    /// The pointer is elsewhere: nothing is hovered any more.
+    void leave();
+    /// While it is held before a press, the press pans.
+    void setSpaceHeld(bool isHeld);
+    /// The view or the modifier keys changed under a pointer that stands still.
+    void follow(Qt::KeyboardModifiers modifiers);
+
+    /// Whether a mouse button that means something is down.
+    [[nodiscard]] bool isRunning() const { return state_ != State::idle; }
+    /// Takes back what goes on.
+    void cancel();
+    /// Ends it as if the button had been released.
+    void finish();
+    void showCursor();
+
+  private:
+    enum class State { idle, pressed, dragging, banding, panning };
+    struct Press {
+        QPointF pixel;
+        Point at;
+        Qt::MouseButton button = Qt::NoButton;
+        Qt::KeyboardModifiers modifiers;
+        Hit under;
+    };
+
+    void begin(const QMouseEvent& event);
+    void click();
+    void clickWithAlt();
+    void clickWithAddTool();
+    void clickWithEditTool();
+    void startDrag();
+    void takeGrip(const GripRef& grip);
+    void startBand();
+    void finishBand();
+    void setState(State state);
+    [[nodiscard]] Vector way(Qt::KeyboardModifiers modifiers) const;
+    [[nodiscard]] QRectF band() const;
+
+    CanvasView& view_;
+    CanvasClient& client_;
+    State state_ = State::idle;
+    Press press_;
+    QPointF pixel_; ///< where the pointer is
+    bool isPointerInside_ = false;
+    bool isSpaceHeld_ = false;
+};
+
+} // namespace kriva::ui
