@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/elevation/elevation_sheet.h"
+#include "core/spline/spline_sheet.h"
 #include "core/subdivision/subdivision_sheet.h"
 
 #include <array>
@@ -8,7 +9,7 @@
 namespace kriva {
 
 /// A curve of any sheet. The order of its kinds is the order of the sheets; a further sheet is one more kind here.
-using Curve = std::variant<ElevationCurve, SubdivisionCurve>;
+using Curve = std::variant<ElevationCurve, SubdivisionCurve, SplineCurve>;
 
 /// Which sheet: the index of its kind of curve.
 using SheetIndex = std::size_t;

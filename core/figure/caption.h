@@ -24,6 +24,9 @@ enum class Caption {
     curvePoint,
     blossom,
     partLabels,
+    knots,
+    handles,
+    endDerivatives,
     // results
     degree,
     length,
@@ -33,6 +36,11 @@ enum class Caption {
     pointAtT,
     derivativeAtT,
     pieceCount,
+    segmentLength, ///< by segment
+    coefficients,  ///< by segment, of the powers of t
+    continuity,    ///< by knot
+    curvatureExtrema,
+    bendingEnergy,
     incomplete,
 };
 

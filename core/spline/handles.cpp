@@ -7,10 +7,6 @@ namespace {
 
 using Handles = std::vector<SegmentHandles>;
 
-bool isAutomatic(const SplineKnot& knot) {
-    return knot.join == SplineKnot::Join::automatic;
-}
-
 std::optional<Vector> storedOut(const SplineKnot& knot) {
     if (isAutomatic(knot))
         return std::nullopt;
@@ -30,7 +26,7 @@ Handles mirrorHandles(const SplineCurve& curve, std::span<const Vector> chords) 
         handles[i].out = storedOut(curve.knots[i]).value_or(out);
         // (K_next + P1) / 2, seen from K_next: the second derivative vanishes at the segment's far end.
         const Vector in = (handles[i].out - chords[i]) / 2;
-        handles[i].in = storedIn(curve.knots[(i + 1) % curve.knots.size()]).value_or(in);
+        handles[i].in = storedIn(knotAfter(curve, i)).value_or(in);
         out = -handles[i].in;
     }
     if (curve.closed && isAutomatic(curve.knots[0]))
@@ -118,7 +114,16 @@ Handles c2Handles(const SplineCurve& curve, std::span<const Vector> chords) {
 
 } // namespace
 
+std::vector<Vector> chordsOf(const SplineCurve& curve) {
+    std::vector<Vector> chords(segmentCount(curve));
+    for (std::size_t i = 0; i < chords.size(); ++i)
+        chords[i] = knotAfter(curve, i).at - curve.knots[i].at;
+    return chords;
+}
+
 std::vector<SegmentHandles> cubicHandles(const SplineCurve& curve, std::span<const Vector> chords) {
+    if (chords.empty())
+        return {};
     switch (curve.rule) {
     case SplineCurve::Rule::mirror:
         return mirrorHandles(curve, chords);

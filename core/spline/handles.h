@@ -11,6 +11,9 @@ struct SegmentHandles {
     friend constexpr bool operator==(const SegmentHandles&, const SegmentHandles&) = default;
 };
 
+/// K_(i+1) - K_i of every segment; empty while the curve is incomplete.
+[[nodiscard]] std::vector<Vector> chordsOf(const SplineCurve& curve);
+
 /// The handles of every segment: the stored ones at knots that are not automatic (a missing one counts as retracted
 /// onto its knot), those of the curve's rule elsewhere. `chords` are the differences of neighbouring knots, one per
 /// segment. Coincident knots are allowed under every rule. O(n).

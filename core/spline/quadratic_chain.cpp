@@ -1,24 +1,22 @@
 #include "core/spline/quadratic_chain.h"
 
+#include "core/geometry/compensated_sum.h"
+
 namespace kriva {
 namespace {
 
-/// Adds many vectors with the error of a few additions (Neumaier's compensation): a chain that goes to and fro by
-/// equal steps would else gather equal roundings, 1e-12 of the sum at the largest number of knots.
-class CompensatedSum {
+/// Compensated: a chain that goes to and fro by equal steps would else gather equal roundings.
+class VectorSum {
   public:
-    void add(Vector term) { sum_ = {added(sum_.x, term.x, lost_.x), added(sum_.y, term.y, lost_.y)}; }
-    [[nodiscard]] Vector value() const { return sum_ + lost_; }
+    void add(Vector term) {
+        x_.add(term.x);
+        y_.add(term.y);
+    }
+    [[nodiscard]] Vector value() const { return {x_.value(), y_.value()}; }
 
   private:
-    static double added(double sum, double term, double& lost) {
-        const double total = sum + term;
-        lost += std::abs(sum) >= std::abs(term) ? (sum - total) + term : (term - total) + sum;
-        return total;
-    }
-
-    Vector sum_;
-    Vector lost_;
+    CompensatedSum x_;
+    CompensatedSum y_;
 };
 
 } // namespace
@@ -29,8 +27,8 @@ class CompensatedSum {
 std::vector<Vector> quadraticMiddles(std::span<const Vector> chords) {
     const std::size_t n = chords.size();
     std::vector<Vector> middles(n);
-    CompensatedSum running;
-    CompensatedSum total;
+    VectorSum running;
+    VectorSum total;
     for (std::size_t i = 1; i < n; ++i) {
         const Vector step = (chords[i - 1] - chords[i]) / 2;
         running.add(i % 2 == 0 ? step : -step);

@@ -9,26 +9,12 @@
 namespace kriva {
 namespace {
 
-const SplineKnot& knotAfter(const SplineCurve& curve, std::size_t segment) {
-    return curve.knots[(segment + 1) % curve.knots.size()];
-}
-
-std::vector<Vector> chordsOf(const SplineCurve& curve) {
-    std::vector<Vector> chords(segmentCount(curve));
-    for (std::size_t i = 0; i < chords.size(); ++i)
-        chords[i] = knotAfter(curve, i).at - curve.knots[i].at;
-    return chords;
-}
-
 const Points* replacedInner(const SplineCurve& curve, std::size_t segment) {
     if (innerCount(curve.degree) == 0)
         return nullptr;
     const auto found = curve.inner.find(static_cast<int>(segment));
     return found == curve.inner.end() ? nullptr : &found->second;
 }
-
-/// The free control points of a segment are its third and, for degree 5, fourth.
-constexpr std::ptrdiff_t kFirstInner = 2;
 
 /// The control polygons seen from their first knots.
 std::vector<Points> localPolygons(const SplineCurve& curve) {
@@ -76,13 +62,17 @@ void moveToKnots(Points& polygon, const SplineCurve& curve, std::size_t segment)
         std::ranges::copy(*inner, polygon.begin() + kFirstInner);
     if (curve.degree != 3)
         return;
-    if (from.join != SplineKnot::Join::automatic && from.out)
+    if (!isAutomatic(from) && from.out)
         polygon[1] = *from.out;
-    if (to.join != SplineKnot::Join::automatic && to.in)
+    if (!isAutomatic(to) && to.in)
         polygon[2] = *to.in;
 }
 
 } // namespace
+
+const SplineKnot& knotAfter(const SplineCurve& curve, std::size_t segment) {
+    return curve.knots[(segment + 1) % curve.knots.size()];
+}
 
 bool isIncomplete(const SplineCurve& curve) {
     return curve.knots.size() < (curve.closed ? 3u : 2u);
@@ -92,6 +82,14 @@ std::size_t segmentCount(const SplineCurve& curve) {
     if (isIncomplete(curve))
         return 0;
     return curve.closed ? curve.knots.size() : curve.knots.size() - 1;
+}
+
+bool hasSegmentBefore(const SplineCurve& curve, std::size_t knot) {
+    return !isIncomplete(curve) && (curve.closed || knot > 0);
+}
+
+bool hasSegmentAfter(const SplineCurve& curve, std::size_t knot) {
+    return knot < segmentCount(curve);
 }
 
 std::size_t innerCount(int degree) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/document/style.h"
+#include "core/figure/caption.h"
 #include "core/geometry/point.h"
 #include "core/spline/continuity.h"
 
@@ -30,6 +31,7 @@ struct SplineKnot {
 
 struct SplineCurve {
     static constexpr std::string_view kSheet = "spline";
+    static constexpr Caption kCaption = Caption::spline;
     enum class Rule { mirror, natural, clamped, catmullRom };
 
     std::string name;
@@ -53,6 +55,25 @@ struct SplineCurve {
 
 /// How many control points of a segment are neither knots nor next to one: 1 for degree 4, 2 for degree 5, else 0.
 [[nodiscard]] std::size_t innerCount(int degree);
+
+/// The free control points of a segment are its third and, for degree 5, fourth.
+inline constexpr std::ptrdiff_t kFirstInner = 2;
+
+/// The free control points of a segment of degree 4 or 5.
+[[nodiscard]] inline Points innerOf(std::span<const Point> segment) {
+    return {segment.begin() + kFirstInner, segment.end() - kFirstInner};
+}
+
+[[nodiscard]] inline bool isAutomatic(const SplineKnot& knot) {
+    return knot.join == SplineKnot::Join::automatic;
+}
+
+/// The knot at which a segment ends.
+[[nodiscard]] const SplineKnot& knotAfter(const SplineCurve& curve, std::size_t segment);
+
+/// Whether a segment arrives at the knot, or leaves it.
+[[nodiscard]] bool hasSegmentBefore(const SplineCurve& curve, std::size_t knot);
+[[nodiscard]] bool hasSegmentAfter(const SplineCurve& curve, std::size_t knot);
 
 struct SplineChain {
     std::vector<Points> segments;       ///< degree + 1 control points each, in the order of the knots

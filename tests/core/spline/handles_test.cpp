@@ -4,7 +4,7 @@
 namespace kriva {
 namespace {
 
-using test::anyCurve;
+using test::anySpline;
 using test::curveThrough;
 using test::farthest;
 using test::heldKnot;
@@ -21,7 +21,7 @@ double biggest(const std::vector<Points>& cubics) {
 
 /// A cubic curve of a rule; stored handles and derivatives as they come.
 SplineCurve anyCubic(Rule rule, bool closed) {
-    SplineCurve curve = anyCurve();
+    SplineCurve curve = anySpline();
     curve.degree = 3;
     curve.rule = rule;
     curve.closed = closed;
@@ -113,7 +113,7 @@ RC_GTEST_PROP(C2Handles, theNaturalChainReadsTheSameBackwards, (bool closed)) {
 }
 
 RC_GTEST_PROP(C2Handles, derivativesMeanNothingToClosedChainsAndOtherRules, ()) {
-    SplineCurve curve = anyCurve();
+    SplineCurve curve = anySpline();
     if (curve.rule == Rule::clamped)
         curve.closed = true;
     const SplineChain with = solveSpline(curve);

@@ -5,7 +5,7 @@
 namespace kriva {
 namespace {
 
-using test::anyCurve;
+using test::anySpline;
 using test::curveThrough;
 using test::farthest;
 using test::heldKnot;
@@ -16,7 +16,7 @@ using Rule = SplineCurve::Rule;
 constexpr double kRounding = 1e-14;
 
 RC_GTEST_PROP(Spline, everySegmentRunsFromKnotToKnot, ()) {
-    const SplineCurve curve = anyCurve();
+    const SplineCurve curve = anySpline();
     const SplineChain chain = solveSpline(curve);
     RC_ASSERT(chain.segments.size() == segmentCount(curve));
     RC_ASSERT(chain.continuity.size() == curve.knots.size());
@@ -29,7 +29,7 @@ RC_GTEST_PROP(Spline, everySegmentRunsFromKnotToKnot, ()) {
 }
 
 RC_GTEST_PROP(Spline, storedHandlesAndInnerPointsStandBitForBit, ()) {
-    const SplineCurve curve = anyCurve();
+    const SplineCurve curve = anySpline();
     const SplineChain chain = solveSpline(curve);
     for (std::size_t i = 0; i < chain.segments.size(); ++i) {
         const SplineKnot& to = curve.knots[(i + 1) % curve.knots.size()];
@@ -60,7 +60,7 @@ SplineCurve shifted(SplineCurve curve, Vector by) {
 }
 
 RC_GTEST_PROP(Spline, farFromTheOriginOnlyTheCoordinatesAreRounded, ()) {
-    const SplineCurve curve = anyCurve();
+    const SplineCurve curve = anySpline();
     const Vector offset = {1e6, -1e6};
     const SplineChain near = solveSpline(curve);
     SplineChain far = solveSpline(shifted(curve, offset));
@@ -76,7 +76,7 @@ RC_GTEST_PROP(Spline, farFromTheOriginOnlyTheCoordinatesAreRounded, ()) {
 }
 
 RC_GTEST_PROP(Spline, aHigherDegreeIsTheSameCurveAsTheCubic, ()) {
-    SplineCurve curve = anyCurve();
+    SplineCurve curve = anySpline();
     curve.inner.clear();
     curve.degree = 3;
     const std::vector<Points> cubics = solveSpline(curve).segments;

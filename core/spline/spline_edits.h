@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/document/edited.h"
+#include "core/document/grip.h"
+#include "core/spline/spline.h"
+
+/// The edits of a spline that every sheet's curve has, found by overloading; joins.h and chain_edits.h hold the
+/// spline's own. Inner points of segments that an edit takes apart drop, the others follow.
+namespace kriva {
+
+/// Everything that can be dragged: the knots, in their order, then the handles, the inner points of degrees 4 and 5,
+/// and the tips of the end derivatives where the rule asks for them. O(n).
+[[nodiscard]] std::vector<Grip> grips(const SplineCurve& curve);
+
+/// The points of the Points table.
+[[nodiscard]] inline std::size_t pointCount(const SplineCurve& curve) {
+    return curve.knots.size();
+}
+/// How many points its results hold beyond its own: none that are limited.
+[[nodiscard]] inline std::size_t derivedPointCount(const SplineCurve&) {
+    return 0;
+}
+/// The most points that a curve of this kind may have.
+[[nodiscard]] std::size_t mostPoints(const SplineCurve& curve);
+
+/// All the named grips moved by the same vector; grips that do not exist are passed over. Stored handles and the end
+/// derivatives go with their knot, inner points where both knots of their segment go. A moved handle keeps the promise
+/// of its join, and makes an automatic knot symmetric.
+[[nodiscard]] SplineCurve withGripsMoved(const SplineCurve& curve, std::span<const GripId> ids, Vector by);
+/// An automatic knot behind the last one.
+[[nodiscard]] Edited<SplineCurve> withPointAdded(const SplineCurve& curve, Point at);
+/// `indices` ascending. The other knots keep what they are.
+[[nodiscard]] Edited<SplineCurve> withPointsRemoved(const SplineCurve& curve, const std::vector<int>& indices);
+/// The same curve run through from its other end; a closed one still starts at its first knot. Handles that the mirror
+/// rule placed are stored, for it reads differently backwards; those of the other rules are the same both ways.
+[[nodiscard]] Edited<SplineCurve> reversed(const SplineCurve& curve);
+
+} // namespace kriva

@@ -1,0 +1,127 @@
+#include "core/spline/spline_figure.h"
+
+#include "core/bezier/evaluate.h"
+#include "core/figure/labels.h"
+#include "core/spline/joins.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace kriva {
+namespace {
+
+constexpr std::array kLayers{
+    LayerInfo{"control-polygon", Caption::controlPolygon},
+    LayerInfo{"curve", Caption::curve},
+    LayerInfo{"end-derivatives", Caption::endDerivatives, true, true},
+    LayerInfo{"handles", Caption::handles},
+    LayerInfo{"knots", Caption::knots},
+    LayerInfo{"labels", Caption::labels, true, true},
+};
+
+/// With more knots labels would cover each other and the curve, and take longer to lay out than everything else.
+constexpr std::size_t kMostLabelledKnots = 1000;
+
+Points knotPoints(const SplineCurve& curve) {
+    Points points;
+    points.reserve(curve.knots.size());
+    for (const SplineKnot& knot : curve.knots)
+        points.push_back(knot.at);
+    return points;
+}
+
+/// All segments' polygons in one stroke, since each starts where the one before ended.
+Layer polygonLayer(const SplineChain& chain) {
+    Points polygon{chain.segments.front().front()};
+    for (const Points& segment : chain.segments)
+        polygon.insert(polygon.end(), segment.begin() + 1, segment.end());
+    return {"control-polygon", {{polyline(polygon), Role::controlPolygon}}};
+}
+
+/// The handles in the order of the curve.
+Points handlePoints(std::span<const KnotHandles> handles) {
+    Points points;
+    for (std::size_t i = 0; i < handles.size(); ++i) {
+        if (handles[i].out)
+            points.push_back(*handles[i].out);
+        const std::size_t next = (i + 1) % handles.size();
+        if (handles[next].in)
+            points.push_back(*handles[next].in);
+    }
+    return points;
+}
+
+/// The control polygon of a cubic has the lines to its handles; higher degrees get their own.
+Layer handlesLayer(const SplineCurve& curve, const SplineChain& chain, std::span<const KnotHandles> handles) {
+    Layer layer{"handles"};
+    layer.marks.push_back({handlePoints(handles), Role::handle});
+    if (innerCount(curve.degree) == 0)
+        return layer;
+    for (std::size_t i = 0; i < handles.size(); ++i) {
+        const Point at = curve.knots[i].at;
+        const Points line = {handles[i].in.value_or(at), at, handles[i].out.value_or(at)};
+        layer.strokes.push_back({polyline(line), Role::handle});
+    }
+    Points inner;
+    for (const Points& segment : chain.segments)
+        std::ranges::copy(innerOf(segment), std::back_inserter(inner));
+    layer.marks.push_back({std::move(inner), Role::point});
+    return layer;
+}
+
+Layer endDerivativesLayer(const SplineCurve& curve, std::span<const KnotHandles> handles) {
+    Layer layer{"end-derivatives"};
+    const EndDerivatives ends = endDerivatives(curve, handles);
+    const auto addArrow = [&](Point from, std::optional<Vector> derivative) {
+        if (!derivative)
+            return;
+        const Points arrow = {from, from + *derivative};
+        layer.strokes.push_back({polyline(arrow), Role::derivative});
+        layer.marks.push_back({{arrow.back()}, Role::derivative});
+    };
+    addArrow(curve.knots.front().at, ends.start);
+    addArrow(curve.knots.back().at, ends.end);
+    return layer;
+}
+
+/// K_i at the knots, P_i at the handles (the middle points of parabolas) and c_i half way along the segments.
+Layer labelsLayer(const SplineCurve& curve, const SplineChain& chain, std::span<const KnotHandles> handles) {
+    Layer layer{"labels", {}, {}, indexedLabels("K", knotPoints(curve))};
+    Points placed = handlePoints(handles);
+    Points halfway;
+    for (const Points& segment : chain.segments) {
+        if (curve.degree == 2)
+            placed.push_back(segment[1]);
+        halfway.push_back(evaluate(segment, 0.5));
+    }
+    for (const std::vector<Label>& labels : {indexedLabels("P", placed, Role::handle), indexedLabels("c", halfway)})
+        layer.labels.insert(layer.labels.end(), labels.begin(), labels.end());
+    return layer;
+}
+
+} // namespace
+
+std::span<const LayerInfo> layersOf(const SplineCurve&) {
+    return kLayers;
+}
+
+Figure figureOf(const SplineCurve& curve, const FigureContext& context) {
+    const SplineChain chain = solveSpline(curve);
+    const std::vector<KnotHandles> handles = knotHandles(curve);
+    Figure figure;
+    if (!isIncomplete(curve)) {
+        figure.layers.push_back(polygonLayer(chain));
+        figure.layers.push_back(
+            {"curve", {{kriva::chain(chain.segments, curve.closed), Role::curve, 0, 1, curve.style}}});
+        if (context.isActive)
+            figure.layers.push_back(endDerivativesLayer(curve, handles));
+        figure.layers.push_back(handlesLayer(curve, chain, handles));
+    }
+    figure.layers.push_back({"knots", {}, {{knotPoints(curve), Role::knot}}});
+    if (context.isActive && curve.knots.size() <= kMostLabelledKnots)
+        figure.layers.push_back(labelsLayer(curve, chain, handles));
+    return figure;
+}
+
+} // namespace kriva

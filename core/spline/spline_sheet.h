@@ -1,0 +1,8 @@
+#pragma once
+
+// All that the sheet `spline` brings to the document.
+#include "core/spline/spline.h"
+#include "core/spline/spline_edits.h"
+#include "core/spline/spline_figure.h"
+#include "core/spline/spline_json.h"
+#include "core/spline/spline_report.h"

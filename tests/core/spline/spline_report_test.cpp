@@ -1,0 +1,78 @@
+#include "core/bezier/evaluate.h"
+#include "core/document/report.h"
+#include "tests/core/spline/spline_values.h"
+
+#include <gmock/gmock.h>
+
+namespace kriva {
+namespace {
+
+using Rule = SplineCurve::Rule;
+using ::testing::HasSubstr;
+
+std::string reportOf(const SplineCurve& curve) {
+    Document document;
+    document.sheets[*sheetNamed("spline")].curves = {curve};
+    const auto report = reportJson(document, "chain.kriva", sheetNamed("spline"));
+    EXPECT_TRUE(std::holds_alternative<std::string>(report));
+    return std::holds_alternative<std::string>(report) ? std::get<std::string>(report) : "";
+}
+
+TEST(SplineReport, tellsTheControlPointsOfEverySegment) {
+    SplineCurve arch = test::curveThrough(Rule::clamped, {{0, 0}, {3, 0}});
+    arch.startDerivative = Vector{0, 3};
+    arch.endDerivative = Vector{0, -3};
+    EXPECT_THAT(reportOf(arch), HasSubstr(R"("points": [[0, 0], [0, 1], [3, 1], [3, 0]], "length": 3.66382663695)"));
+    EXPECT_THAT(reportOf(arch), HasSubstr(R"("bounds": [0, 0, 3, 0.75])"));
+}
+
+TEST(SplineReport, tellsHowKnotsMeet) {
+    const std::string report = reportOf(test::curveThrough(Rule::natural, {{0, 0}, {3, 3}, {6, 0}}));
+    EXPECT_THAT(report, HasSubstr(R"("knots": [{"continuity": "end"}, {"continuity": "C2"}, {"continuity": "end"}])"));
+}
+
+TEST(SplineReport, saysNothingOfACurveStillBeingDrawn) {
+    const std::string report = reportOf(test::curveThrough(Rule::natural, {{0, 0}, {3, 3}}, true));
+    EXPECT_THAT(report, HasSubstr(R"("incomplete": true)"));
+    EXPECT_EQ(report.find("segments"), std::string::npos);
+}
+
+TEST(SplineReport, refusesMoreSegmentsThanItCanCross) {
+    Document document;
+    auto& curves = document.sheets[*sheetNamed("spline")].curves;
+    const auto most = static_cast<std::size_t>(limits::kReportedSegments);
+    curves = {test::curveThrough(Rule::mirror, Points(most, {1, 1}), true)};
+    EXPECT_FALSE(reportLimitError(document));
+    curves.push_back(test::curveThrough(Rule::mirror, {{0, 0}}));
+    EXPECT_FALSE(reportLimitError(document));
+    curves.push_back(test::curveThrough(Rule::mirror, {{0, 0}, {1, 1}}));
+    ASSERT_TRUE(reportLimitError(document));
+    EXPECT_EQ(reportLimitError(document)->place, "sheets.spline.curves");
+}
+
+TEST(SplineResults, addUpToTheWholeLength) {
+    double sum = 0;
+    double whole = 0;
+    for (const Result& row : results(test::curveThrough(Rule::catmullRom, {{0, 0}, {3, 3}, {6, 0}, {7, 7}}, true))) {
+        if (row.caption == Caption::segmentLength)
+            sum += std::get<double>(*row.value);
+        if (row.caption == Caption::length)
+            whole = std::get<double>(*row.value);
+    }
+    EXPECT_NEAR(sum, whole, 1e-13 * whole);
+    EXPECT_GT(whole, 20);
+}
+
+RC_GTEST_PROP(PowerCoefficients, areThoseOfTheSameCurve, ()) {
+    const Points segment = *test::anyCurve(2, 5);
+    const double t = *test::anyParameter();
+    const Points b = powerCoefficients(segment);
+    Point value{};
+    for (std::size_t k = b.size(); k-- > 0;)
+        value = {value.x * t + b[k].x, value.y * t + b[k].y};
+    RC_ASSERT(b.size() == segment.size());
+    RC_ASSERT(distance(value, evaluate(segment, t)) <= 1e-10);
+}
+
+} // namespace
+} // namespace kriva
