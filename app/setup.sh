@@ -52,17 +52,16 @@ install_missing() {
     as_root "${apt[@]}" install -y --no-install-recommends "${missing[@]}"
 }
 
-# build PRESET [TARGET...]: configures and builds, everything if no target is named.
+# build PRESET [CMAKE-ARGUMENT...]: configures and builds everything of a preset.
 build() {
     local preset=$1
     shift
     # The same sources in another folder are found in the compiler's cache too.
     export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
-    say "building $preset${*:+: $*}"
+    say "building $preset"
     (
-        set -e
-        cd "$root"
-        cmake --preset "$preset" -Wno-dev >/dev/null
-        cmake --build --preset "$preset" --parallel "$(nproc)" --target "${@:-all}"
+        cd "$root" || exit
+        cmake --preset "$preset" -Wno-dev "$@" >/dev/null
+        cmake --build --preset "$preset" --parallel "$(nproc)"
     )
 }
