@@ -77,6 +77,11 @@ void CanvasView::setGridShown(bool isShown) {
     Q_EMIT gridShownChanged(isShown);
 }
 
+void CanvasView::setAxesShown(bool areShown) {
+    areAxesShown_ = areShown;
+    scene_.setAxesShown(areShown);
+}
+
 void CanvasView::setMapping(const Viewport& mapping) {
     const double before = zoomPercent();
     scene_.setMapping(mapping);

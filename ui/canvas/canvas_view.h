@@ -31,7 +31,8 @@ class CanvasView : public QGraphicsView {
     void setTextSource(TextSource texts);
     void setGridShown(bool isShown);
     [[nodiscard]] bool isGridShown() const { return isGridShown_; }
-    void setAxesShown(bool areShown) { scene_.setAxesShown(areShown); }
+    void setAxesShown(bool areShown);
+    [[nodiscard]] bool areAxesShown() const { return areAxesShown_; }
     /// Ends a drag that is going on as if the button had been released.
     void endGesture() { gestures_.finish(); }
 
@@ -99,6 +100,7 @@ class CanvasView : public QGraphicsView {
     Theme theme_ = Theme::light;
     TextSource texts_;
     bool isGridShown_ = true;
+    bool areAxesShown_ = true;
     bool isFitDue_ = false; ///< until it is painted, a new size fits all again
 };
 

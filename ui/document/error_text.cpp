@@ -79,6 +79,12 @@ QString Errors::reason(const FileError& error) {
         return tr("this figure has no document of Kriva inside");
     case FileProblem::notXml:
         return tr("this is no XML");
+    case FileProblem::internalSubset:
+        return tr("a document type with declarations of its own is not read");
+    case FileProblem::tooManyAttributes:
+        return tr("more than %1 attributes in one element").arg(number(error, 0));
+    case FileProblem::tooManyElements:
+        return tr("more than %1 elements").arg(number(error, 0));
     }
     return {};
 }

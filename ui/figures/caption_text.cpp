@@ -65,6 +65,22 @@ class Captions {
             return tr("Derivative at t");
         case Caption::pieceCount:
             return tr("Number of pieces");
+        case Caption::knots:
+            return tr("Knots");
+        case Caption::handles:
+            return tr("Handles");
+        case Caption::endDerivatives:
+            return tr("End derivatives");
+        case Caption::segmentLength:
+            return tr("Length of segment");
+        case Caption::coefficients:
+            return tr("Coefficients of segment");
+        case Caption::continuity:
+            return tr("Continuity at knot");
+        case Caption::curvatureExtrema:
+            return tr("Extrema of the curvature");
+        case Caption::bendingEnergy:
+            return tr("Bending energy");
         case Caption::incomplete:
             return tr("This curve needs more points");
         }

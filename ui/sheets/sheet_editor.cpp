@@ -36,6 +36,13 @@ const Curve* SheetEditor::shown(Serial serial) const {
     return stage_ && serial == activeSerial() ? &*stage_ : document_.find(index_, serial);
 }
 
+Document SheetEditor::documentOnView() const {
+    Document document = document_.value();
+    if (stage_)
+        document.sheets[index_].curves[static_cast<std::size_t>(sheet().view.activeCurve)] = *stage_;
+    return document;
+}
+
 void SheetEditor::setStage(std::optional<Curve> stage) {
     if (stage == stage_)
         return;

@@ -12,7 +12,7 @@ class SheetEditor : public QObject {
   public:
     SheetEditor(OpenDocument& document, SheetIndex sheet, QObject* parent = nullptr);
 
-    [[nodiscard]] OpenDocument& document() { return document_; }
+    [[nodiscard]] OpenDocument& document() const { return document_; }
     [[nodiscard]] const Sheet& sheet() const { return document_.sheet(index_); }
     [[nodiscard]] SheetIndex index() const { return index_; }
     [[nodiscard]] Serial activeSerial() const { return document_.activeCurve(index_); }
@@ -23,6 +23,8 @@ class SheetEditor : public QObject {
     [[nodiscard]] const Curve* shown(Serial serial) const;
     /// Shows another value in place of the active curve's without changing the document; nothing shows the document's.
     void setStage(std::optional<Curve> stage);
+    /// The whole document with the stage in place of the active curve: what an export draws.
+    [[nodiscard]] Document documentOnView() const;
     [[nodiscard]] bool hasStage() const { return stage_.has_value(); }
 
     [[nodiscard]] const Selection& selection() const { return selection_; }

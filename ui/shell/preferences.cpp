@@ -39,13 +39,15 @@ void Preferences::setLanguage(Language language) {
     settings_.setValue(kLanguage, languageCode(language));
 }
 
-Theme Preferences::theme() const {
+ThemeChoice Preferences::theme() const {
     const QString name = settings_.value(kTheme).toString();
-    return name == kLightTheme ? Theme::Light : name == kDarkTheme ? Theme::Dark : Theme::System;
+    return name == kLightTheme ? ThemeChoice::Light : name == kDarkTheme ? ThemeChoice::Dark : ThemeChoice::System;
 }
 
-void Preferences::setTheme(Theme theme) {
-    settings_.setValue(kTheme, theme == Theme::Light ? kLightTheme : theme == Theme::Dark ? kDarkTheme : kSystemTheme);
+void Preferences::setTheme(ThemeChoice theme) {
+    settings_.setValue(kTheme, theme == ThemeChoice::Light  ? kLightTheme
+                               : theme == ThemeChoice::Dark ? kDarkTheme
+                                                            : kSystemTheme);
 }
 
 QStringList Preferences::recentFiles() const {

@@ -21,8 +21,8 @@ class Preferences {
     [[nodiscard]] std::optional<Language> language() const;
     void setLanguage(Language language);
 
-    [[nodiscard]] Theme theme() const;
-    void setTheme(Theme theme);
+    [[nodiscard]] ThemeChoice theme() const;
+    void setTheme(ThemeChoice theme);
 
     /// Absolute paths, the last one used first, at most ten, no path twice.
     [[nodiscard]] QStringList recentFiles() const;

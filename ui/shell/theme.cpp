@@ -95,7 +95,7 @@ QPalette darkPalette() {
     return paletteOf(kDark);
 }
 
-ThemeSwitch::ThemeSwitch(Theme theme, const DesktopScheme& desktop, QObject* parent)
+ThemeSwitch::ThemeSwitch(ThemeChoice theme, const DesktopScheme& desktop, QObject* parent)
     : QObject(parent)
     , desktop_(desktop)
     , theme_(theme)
@@ -107,12 +107,12 @@ ThemeSwitch::ThemeSwitch(Theme theme, const DesktopScheme& desktop, QObject* par
 }
 
 bool ThemeSwitch::isDark() const {
-    if (theme_ != Theme::System)
-        return theme_ == Theme::Dark;
+    if (theme_ != ThemeChoice::System)
+        return theme_ == ThemeChoice::Dark;
     return desktop_.scheme() == Scheme::Unknown ? systemIsDark_ : desktop_.scheme() == Scheme::Dark;
 }
 
-void ThemeSwitch::setTheme(Theme theme) {
+void ThemeSwitch::setTheme(ThemeChoice theme) {
     theme_ = theme;
     apply();
 }

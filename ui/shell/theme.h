@@ -7,7 +7,7 @@ namespace kriva::ui {
 
 class DesktopScheme;
 
-enum class Theme { System, Light, Dark };
+enum class ThemeChoice { System, Light, Dark };
 
 [[nodiscard]] QPalette lightPalette();
 [[nodiscard]] QPalette darkPalette();
@@ -19,11 +19,11 @@ class ThemeSwitch : public QObject {
 
   public:
     /// `desktop` outlives this. Where it knows nothing, the system's own palette at this moment decides.
-    ThemeSwitch(Theme theme, const DesktopScheme& desktop, QObject* parent = nullptr);
+    ThemeSwitch(ThemeChoice theme, const DesktopScheme& desktop, QObject* parent = nullptr);
 
-    [[nodiscard]] Theme theme() const { return theme_; }
+    [[nodiscard]] ThemeChoice theme() const { return theme_; }
     [[nodiscard]] bool isDark() const;
-    void setTheme(Theme theme);
+    void setTheme(ThemeChoice theme);
 
   Q_SIGNALS:
     /// The windows turned from light to dark or back.
@@ -33,7 +33,7 @@ class ThemeSwitch : public QObject {
     void apply();
 
     const DesktopScheme& desktop_;
-    Theme theme_;
+    ThemeChoice theme_;
     bool systemIsDark_;
     bool shownDark_;
 };

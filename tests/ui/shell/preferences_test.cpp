@@ -22,7 +22,7 @@ class PreferencesTest : public ::testing::Test {
 TEST_F(PreferencesTest, nothingIsChosenAtFirst) {
     const Preferences preferences;
     EXPECT_EQ(preferences.language(), std::nullopt);
-    EXPECT_EQ(preferences.theme(), Theme::System);
+    EXPECT_EQ(preferences.theme(), ThemeChoice::System);
     EXPECT_TRUE(preferences.recentFiles().isEmpty());
     EXPECT_TRUE(preferences.windowGeometry().isEmpty());
     EXPECT_TRUE(preferences.panelLayout(u"spline"_s).isEmpty());
@@ -33,7 +33,7 @@ TEST_F(PreferencesTest, choicesAreThereAtTheNextStart) {
         Preferences().setLanguage(language);
         EXPECT_EQ(Preferences().language(), language);
     }
-    for (const Theme theme : {Theme::Light, Theme::Dark, Theme::System}) {
+    for (const ThemeChoice theme : {ThemeChoice::Light, ThemeChoice::Dark, ThemeChoice::System}) {
         Preferences().setTheme(theme);
         EXPECT_EQ(Preferences().theme(), theme);
     }
@@ -84,7 +84,7 @@ TEST_F(PreferencesTest, aDamagedFileGivesDefaults) {
     file.sync();
     const Preferences preferences;
     EXPECT_EQ(preferences.language(), std::nullopt);
-    EXPECT_EQ(preferences.theme(), Theme::System);
+    EXPECT_EQ(preferences.theme(), ThemeChoice::System);
     EXPECT_EQ(preferences.recentFiles().size(), 10);
     EXPECT_EQ(preferences.recentFiles()[0], u"/a"_s);
     EXPECT_EQ(preferences.recentFiles()[1], u"/0"_s);

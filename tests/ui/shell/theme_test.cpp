@@ -156,15 +156,15 @@ class ThemeTest : public PortalTest {
 
 TEST_F(ThemeTest, theChosenThemeReachesEveryWidget) {
     const DesktopScheme desktop(*ours);
-    ThemeSwitch themes(Theme::Light, desktop);
+    ThemeSwitch themes(ThemeChoice::Light, desktop);
     QSignalSpy changed(&themes, &ThemeSwitch::changed);
     const QWidget widget;
     EXPECT_EQ(widget.palette().color(QPalette::Window), lightPalette().color(QPalette::Window));
-    themes.setTheme(Theme::Dark);
+    themes.setTheme(ThemeChoice::Dark);
     QCoreApplication::processEvents();
     EXPECT_EQ(widget.palette().color(QPalette::Window), darkPalette().color(QPalette::Window));
     EXPECT_EQ(QApplication::style()->name(), u"fusion"_s);
-    themes.setTheme(Theme::Dark);
+    themes.setTheme(ThemeChoice::Dark);
     EXPECT_EQ(changed.size(), 1);
 }
 
@@ -172,22 +172,22 @@ TEST_F(ThemeTest, theSystemsThemeFollowsTheDesktop) {
     Portal portal(1);
     open(portal);
     const DesktopScheme desktop(*ours);
-    ThemeSwitch themes(Theme::System, desktop);
+    ThemeSwitch themes(ThemeChoice::System, desktop);
     EXPECT_FALSE(themes.isDark()) << "until the answer comes, the system's palette decides";
     EXPECT_TRUE(QTest::qWaitFor([&] { return themes.isDark(); }));
     EXPECT_EQ(QApplication::palette().color(QPalette::Window), darkPalette().color(QPalette::Window));
-    themes.setTheme(Theme::Light);
+    themes.setTheme(ThemeChoice::Light);
     EXPECT_FALSE(themes.isDark());
     say(u"org.freedesktop.appearance"_s, u"color-scheme"_s, 2);
     EXPECT_TRUE(QTest::qWaitFor([&] { return desktop.scheme() == Scheme::Light; }));
-    themes.setTheme(Theme::System);
+    themes.setTheme(ThemeChoice::System);
     EXPECT_FALSE(themes.isDark());
 }
 
 TEST_F(ThemeTest, aDarkSystemPaletteDecidesWhereTheDesktopIsSilent) {
     QApplication::setPalette(darkPalette());
     const DesktopScheme desktop(*ours);
-    const ThemeSwitch themes(Theme::System, desktop);
+    const ThemeSwitch themes(ThemeChoice::System, desktop);
     EXPECT_TRUE(themes.isDark());
 }
 

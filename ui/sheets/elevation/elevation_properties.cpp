@@ -1,0 +1,74 @@
+#include "ui/sheets/elevation/elevation_properties.h"
+
+#include "core/document/limits.h"
+
+#include <algorithm>
+
+namespace kriva::ui {
+namespace {
+
+/// As far as one looks at first: the 97 elevations after which the polygon of a cubic can hardly be told from it.
+constexpr int kUsualElevations = 97;
+
+int degreeOf(const ElevationCurve& curve) {
+    return static_cast<int>(curve.points.size()) - 1;
+}
+
+/// The largest number of elevations that the slider and the player run through.
+int shownElevations(const ElevationCurve& curve) {
+    return std::max(kUsualElevations, curve.times);
+}
+
+Curve withTimes(const Curve& curve, int times) {
+    ElevationCurve changed = std::get<ElevationCurve>(curve);
+    changed.times = times;
+    return changed;
+}
+
+} // namespace
+
+ElevationProperties::ElevationProperties(SheetEditor& editor, QWidget* parent)
+    : PropertiesPanel(editor, parent)
+    , degree_(new SliderField(this))
+    , player_(new Player(this)) {
+    addRow(QT_TRANSLATE_NOOP("Properties", "Degree"), degree_);
+    bind(degree_,
+         [](const Curve& curve, double degree) {
+             return withTimes(curve, static_cast<int>(degree) - degreeOf(std::get<ElevationCurve>(curve)));
+         },
+         {QT_TRANSLATE_NOOP("Step", "Raise the degree")});
+    addHeading(QT_TRANSLATE_NOOP("Properties", "Animation"));
+    addWide(player_);
+    connect(player_, &Player::stageChanged, this, &ElevationProperties::showStage);
+    connect(player_, &Player::keepRequested, this, &ElevationProperties::keepStage);
+    finish();
+}
+
+void ElevationProperties::showCurve() {
+    const auto& value = curve<ElevationCurve>();
+    setEnabled(!isIncomplete(value));
+    if (isIncomplete(value)) {
+        player_->pause();
+        return;
+    }
+    const int degree = degreeOf(value);
+    degree_->setRange({static_cast<double>(degree), static_cast<double>(degree + limits::kElevations), false, true});
+    degree_->setSlider(degree, degree + shownElevations(value), 1);
+    degree_->setValue(degree + value.times);
+    player_->setLast(shownElevations(value));
+    if (!editor().hasStage())
+        player_->setStage(value.times);
+}
+
+void ElevationProperties::showStage(int times) {
+    editor().setStage(withTimes(*editor().activeCurve(), times));
+}
+
+void ElevationProperties::keepStage() {
+    player_->pause();
+    Curve kept = withTimes(*editor().activeCurve(), player_->stage());
+    editor().setStage({});
+    editor().change(std::move(kept), {QT_TRANSLATE_NOOP("Step", "Keep the stage")});
+}
+
+} // namespace kriva::ui

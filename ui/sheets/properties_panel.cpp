@@ -1,0 +1,113 @@
+#include "ui/sheets/properties_panel.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QLabel>
+#include <QSignalBlocker>
+
+namespace kriva::ui {
+
+PropertiesPanel::PropertiesPanel(SheetEditor& editor, QWidget* parent)
+    : QWidget(parent)
+    , editor_(editor)
+    , layout_(new QFormLayout(this)) {
+    layout_->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    layout_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    layout_->setLabelAlignment(Qt::AlignLeft);
+    connect(&editor.document(), &OpenDocument::replaced, this, &PropertiesPanel::showState);
+    const auto ifMine = [this](SheetIndex sheet) {
+        if (sheet == editor_.index())
+            showState();
+    };
+    connect(&editor.document(), &OpenDocument::curvesChanged, this, ifMine);
+    connect(&editor.document(), &OpenDocument::viewChanged, this, ifMine);
+    connect(&editor, &SheetEditor::selectionChanged, this, &PropertiesPanel::showState);
+    connect(&editor, &SheetEditor::shownCurveChanged, this, [this](Serial serial) {
+        if (serial == editor_.activeSerial())
+            showState();
+    });
+}
+
+void PropertiesPanel::addRow(const char* label, QWidget* field) {
+    auto* text = new QLabel(this);
+    text->setBuddy(field);
+    layout_->addRow(text, field);
+    rows_.push_back({text, label, field});
+}
+
+void PropertiesPanel::addWide(QWidget* widget) {
+    layout_->addRow(widget);
+}
+
+void PropertiesPanel::addHeading(const char* label) {
+    auto* text = new QLabel(this);
+    QFont bold = text->font();
+    bold.setBold(true);
+    text->setFont(bold);
+    text->setContentsMargins(0, 8, 0, 0);
+    layout_->addRow(text);
+    rows_.push_back({text, label, nullptr});
+}
+
+void PropertiesPanel::bind(SliderField* field, const Change& change, const StepLabel& step) {
+    OpenDocument& document = editor_.document();
+    connect(field, &SliderField::dragStarted, this,
+            [this, &document, step] { document.beginGesture(editor_.index(), editor_.activeSerial(), step); });
+    connect(field, &SliderField::valueDragged, this, [&document, change](double value) {
+        if (document.hasGesture())
+            document.preview(change(document.gestureStart(), value));
+    });
+    connect(field, &SliderField::dragEnded, &document, &OpenDocument::endGesture);
+    connect(field, &SliderField::valueStepped, this,
+            [this, change, step](double value) { editor_.changeInBurst(change(*editor_.activeCurve(), value), step); });
+    connect(field, &SliderField::valueTyped, this,
+            [this, change, step](double value) { editor_.change(change(*editor_.activeCurve(), value), step); });
+}
+
+QComboBox* PropertiesPanel::addChoice(const char* label, std::vector<const char*> entries, const Change& change,
+                                      const StepLabel& step) {
+    auto* box = new QComboBox(this);
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        box->addItem(QString());
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    connect(box, &QComboBox::activated, this,
+            [this, change, step](int index) { editor_.change(change(*editor_.activeCurve(), index), step); });
+    choices_.push_back({box, std::move(entries)});
+    addRow(label, box);
+    return box;
+}
+
+void PropertiesPanel::finish() {
+    retranslateUi();
+}
+
+void PropertiesPanel::showState() {
+    const bool isThere = editor_.activeCurve() != nullptr;
+    setEnabled(isThere);
+    if (isThere)
+        showCurve();
+}
+
+void PropertiesPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    QWidget::changeEvent(event);
+}
+
+void PropertiesPanel::retranslateUi() {
+    const auto translated = [](const char* text) { return QCoreApplication::translate("Properties", text); };
+    for (const Row& row : rows_) {
+        row.label->setText(translated(row.text));
+        if (auto* slider = qobject_cast<SliderField*>(row.field))
+            slider->setAccessibleTexts(translated(row.text), tr("Less"), tr("More"));
+        else if (row.field)
+            row.field->setAccessibleName(translated(row.text));
+    }
+    for (const Choice& choice : choices_)
+        for (std::size_t i = 0; i < choice.entries.size(); ++i)
+            choice.box->setItemText(static_cast<int>(i), translated(choice.entries[i]));
+    retranslateFields();
+    showState();
+}
+
+} // namespace kriva::ui

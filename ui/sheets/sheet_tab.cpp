@@ -1,0 +1,174 @@
+#include "ui/sheets/sheet_tab.h"
+
+#include "core/figure/page.h"
+#include "ui/panels/curves_panel.h"
+#include "ui/panels/history_panel.h"
+#include "ui/panels/layers_panel.h"
+#include "ui/panels/results_panel.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QScrollArea>
+
+namespace kriva::ui {
+
+SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, QWidget* parent)
+    : QMainWindow(parent)
+    , editor_(document, sheet)
+    , canvas_(new CanvasView(*this, this)) {
+    setWindowFlags(Qt::Widget); // a main window inside another: for its docks only
+    setDockNestingEnabled(true);
+    setCentralWidget(canvas_);
+    makePanels(ui);
+    firstLayout_ = saveState();
+
+    connect(&document, &OpenDocument::replaced, this, [this] {
+        showAllCurves();
+        canvas_->fitAll();
+    });
+    connect(&document, &OpenDocument::curvesChanged, this, [this](SheetIndex changed) {
+        if (changed == editor_.index())
+            showAllCurves();
+    });
+    connect(&document, &OpenDocument::viewChanged, this, [this](SheetIndex changed) {
+        if (changed == editor_.index())
+            showAllCurves();
+    });
+    connect(&editor_, &SheetEditor::shownCurveChanged, this, &SheetTab::updateCurve);
+    connect(&editor_, &SheetEditor::selectionChanged, this, [this] { canvas_->setSelection(editor_.selection()); });
+    retranslateUi();
+}
+
+void SheetTab::makePanels(const SheetUi& ui) {
+    addPanel("curves", QT_TRANSLATE_NOOP("SheetTab", "Curves"), new CurvesPanel(editor_, this), Qt::LeftDockWidgetArea);
+    addPanel("points", QT_TRANSLATE_NOOP("SheetTab", "Points"), new PointsPanel(editor_, ui.pointColumns, this),
+             Qt::LeftDockWidgetArea);
+    addPanel("layers", QT_TRANSLATE_NOOP("SheetTab", "Layers"), new LayersPanel(editor_, this), Qt::LeftDockWidgetArea);
+    auto* properties = new QScrollArea(this); // a small window scrolls the properties instead of cutting them off
+    properties->setWidgetResizable(true);
+    properties->setFrameShape(QFrame::NoFrame);
+    properties->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    properties->setWidget(ui.makeProperties(editor_, properties));
+    addPanel("properties", QT_TRANSLATE_NOOP("SheetTab", "Properties"), properties, Qt::RightDockWidgetArea);
+    addPanel("results", QT_TRANSLATE_NOOP("SheetTab", "Results"), new ResultsPanel(editor_, this),
+             Qt::RightDockWidgetArea);
+    addPanel("history", QT_TRANSLATE_NOOP("SheetTab", "History"), new HistoryPanel(editor_, this),
+             Qt::RightDockWidgetArea);
+    // Layers and history are looked at now and then: they wait behind their neighbours.
+    tabifyDockWidget(panels_[0].dock, panels_[2].dock);
+    tabifyDockWidget(panels_[4].dock, panels_[5].dock);
+    panels_[0].dock->raise();
+    panels_[4].dock->raise();
+}
+
+void SheetTab::addPanel(const char* name, const char* title, QWidget* panel, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(this);
+    dock->setObjectName(QString::fromLatin1(name));
+    dock->setWidget(panel);
+    addDockWidget(area, dock);
+    panels_.push_back({dock, title, area});
+}
+
+QList<QAction*> SheetTab::panelActions() const {
+    QList<QAction*> actions;
+    for (const Panel& panel : panels_)
+        actions.append(panel.dock->toggleViewAction());
+    return actions;
+}
+
+void SheetTab::resetPanels() {
+    restoreState(firstLayout_);
+}
+
+void SheetTab::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    QMainWindow::changeEvent(event);
+}
+
+void SheetTab::retranslateUi() {
+    for (const Panel& panel : panels_)
+        panel.dock->setWindowTitle(QCoreApplication::translate("SheetTab", panel.title));
+    showAllCurves(); // numbers and captions on the canvas follow the language
+}
+
+CanvasCurve SheetTab::canvasCurve(Serial serial) const {
+    const Curve& curve = *editor_.shown(serial);
+    const SheetIndex sheet = editor_.index();
+    const SheetView& view = editor_.sheet().view;
+    const bool isActive = serial == editor_.activeSerial();
+    CanvasCurve shown;
+    shown.serial = serial;
+    shown.isActive = isActive;
+    if (viewOf(curve).isShown) {
+        const int index = *editor_.document().indexOf(sheet, serial);
+        const FigureContext context{index, isActive};
+        shown.figure = shownLayers(figureOf(curve, context), layersOf(sheet), view, context);
+        shown.grips = grips(curve);
+    }
+    return shown;
+}
+
+void SheetTab::showAllCurves() {
+    std::vector<CanvasCurve> curves;
+    for (const Serial serial : editor_.document().serials(editor_.index()))
+        curves.push_back(canvasCurve(serial));
+    canvas_->setCurves(std::move(curves));
+    canvas_->setSelection(editor_.selection());
+}
+
+void SheetTab::updateCurve(Serial serial) {
+    canvas_->updateCurve(canvasCurve(serial));
+}
+
+void SheetTab::addPoint(Point at) {
+    editor_.addPoint(at);
+}
+
+void SheetTab::addPointOn(GripRef, Point at) {
+    editor_.addPoint(at);
+}
+
+void SheetTab::removePoint(GripRef grip) {
+    if (grip.id.kind == GripKind::point)
+        editor_.removePoints(grip.serial, {grip.id.index});
+}
+
+void SheetTab::removeSelected(Removal) {
+    editor_.removeSelected();
+}
+
+void SheetTab::select(Selection selection) {
+    // Panels show the active curve: choosing points of another curve alone makes that one active.
+    const bool isOfOneCurve = !selection.empty() && selection.begin()->serial == selection.rbegin()->serial;
+    if (isOfOneCurve)
+        editor_.document().setActiveCurve(editor_.index(), selection.begin()->serial);
+    editor_.select(std::move(selection));
+}
+
+void SheetTab::activateCurve(Serial curve) {
+    editor_.document().setActiveCurve(editor_.index(), curve);
+}
+
+void SheetTab::beginDrag(GripRef grip) {
+    activateCurve(grip.serial);
+    editor_.beginDrag(grip);
+}
+
+void SheetTab::drag(Vector by, Qt::KeyboardModifiers) {
+    editor_.drag(by);
+}
+
+void SheetTab::endDrag() {
+    editor_.endDrag();
+}
+
+void SheetTab::cancelDrag() {
+    editor_.cancelDrag();
+}
+
+void SheetTab::nudge(Vector by) {
+    editor_.nudge(by);
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "ui/canvas/canvas_client.h"
+#include "ui/canvas/canvas_view.h"
+#include "ui/sheets/sheet_editor.h"
+#include "ui/sheets/sheet_ui.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+
+namespace kriva::ui {
+
+/// One tab: the canvas of a sheet with its dockable panels. It carries out what a person does on the canvas and keeps
+/// the canvas showing what the sheet editor has on view.
+class SheetTab : public QMainWindow, private CanvasClient {
+    Q_OBJECT
+  public:
+    SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, QWidget* parent = nullptr);
+
+    [[nodiscard]] CanvasView& canvas() { return *canvas_; }
+    [[nodiscard]] SheetEditor& editor() { return editor_; }
+    /// What turns this tab's panels on and off, in the order of the menu.
+    [[nodiscard]] QList<QAction*> panelActions() const;
+    void resetPanels();
+
+  Q_SIGNALS:
+    /// A text for the status bar about what lies under the pointer; empty where there is nothing to say.
+    void hintChanged(const QString& hint);
+
+  protected:
+    void changeEvent(QEvent* event) override;
+
+  private:
+    // What the canvas asks for.
+    void addPoint(Point at) override;
+    void addPointOn(GripRef grip, Point at) override;
+    void insertPoint(Serial curve, Point at) override;
+    void removePoint(GripRef grip) override;
+    void removeSelected(Removal removal) override;
+    void select(Selection selection) override;
+    void activateCurve(Serial curve) override;
+    void beginDrag(GripRef grip) override;
+    void beginAddDrag(Point at) override;
+    void beginCurveDrag(Serial curve, Point at) override;
+    void drag(Vector by, Qt::KeyboardModifiers modifiers) override;
+    void endDrag() override;
+    void cancelDrag() override;
+    void nudge(Vector by) override;
+    void hover(const Hit& under, Point at, Qt::KeyboardModifiers modifiers) override;
+
+    void makePanels(const SheetUi& ui);
+    void addPanel(const char* name, const char* title, QWidget* panel, Qt::DockWidgetArea area);
+    void retranslateUi();
+    [[nodiscard]] CanvasCurve canvasCurve(Serial serial) const;
+    void showAllCurves();
+    void updateCurve(Serial serial);
+
+    struct Panel {
+        QDockWidget* dock;
+        const char* title;
+        Qt::DockWidgetArea area;
+    };
+
+    SheetEditor editor_;
+    CanvasView* canvas_;
+    std::vector<Panel> panels_;
+    QByteArray firstLayout_;
+};
+
+} // namespace kriva::ui

@@ -1,0 +1,132 @@
+#include "ui/sheets/spline/spline_properties.h"
+
+#include "core/document/limits.h"
+#include "core/spline/chain_edits.h"
+#include "core/spline/joins.h"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+
+namespace kriva::ui {
+namespace {
+
+const SplineCurve& valueOf(const Curve& curve) {
+    return std::get<SplineCurve>(curve);
+}
+
+} // namespace
+
+SplineProperties::SplineProperties(SheetEditor& editor, QWidget* parent)
+    : PropertiesPanel(editor, parent)
+    , degree_(new SliderField(this))
+    , closed_(new QCheckBox(this)) {
+    rule_ =
+        addChoice(QT_TRANSLATE_NOOP("Properties", "Rule"),
+                  {QT_TRANSLATE_NOOP("Properties", "Mirror"), QT_TRANSLATE_NOOP("Properties", "Natural"),
+                   QT_TRANSLATE_NOOP("Properties", "Clamped"), QT_TRANSLATE_NOOP("Properties", "Catmull–Rom")},
+                  [](const Curve& curve, double rule) {
+                      return Curve(withRule(valueOf(curve), static_cast<SplineCurve::Rule>(static_cast<int>(rule))));
+                  },
+                  {QT_TRANSLATE_NOOP("Step", "Set the rule")});
+    addRow(QT_TRANSLATE_NOOP("Properties", "Degree"), degree_);
+    degree_->setRange({limits::kSplineDegreeLow, limits::kSplineDegreeHigh, false, true});
+    degree_->setSlider(limits::kSplineDegreeLow, limits::kSplineDegreeHigh, 1);
+    bind(degree_,
+         [](const Curve& curve, double degree) { return Curve(withDegree(valueOf(curve), static_cast<int>(degree))); },
+         {QT_TRANSLATE_NOOP("Step", "Set the degree")});
+    addWide(closed_);
+    connect(closed_, &QCheckBox::toggled, this, [this](bool on) {
+        SheetEditor& target = this->editor();
+        target.change(withClosed(curve<SplineCurve>(), on),
+                      on ? StepLabel{QT_TRANSLATE_NOOP("Step", "Close the curve")}
+                         : StepLabel{QT_TRANSLATE_NOOP("Step", "Open the curve")});
+    });
+    addHeading(QT_TRANSLATE_NOOP("Properties", "Selected knots"));
+    join_ = addChoice(QT_TRANSLATE_NOOP("Properties", "Join"), {kJoinTexts.begin(), kJoinTexts.end()},
+                      [this](const Curve& curve, double join) {
+                          return Curve(withJoin(valueOf(curve), this->editor().selectedPoints(),
+                                                static_cast<SplineKnot::Join>(static_cast<int>(join))));
+                      },
+                      {QT_TRANSLATE_NOOP("Step", "Set the join")});
+    addHeading(QT_TRANSLATE_NOOP("Properties", "End derivatives"));
+    start_ = addDerivative(QT_TRANSLATE_NOOP("Properties", "Start"), End::start);
+    end_ = addDerivative(QT_TRANSLATE_NOOP("Properties", "End"), End::end);
+    finish();
+}
+
+SplineProperties::DerivativeRow SplineProperties::addDerivative(const char* label, End end) {
+    auto* fields = new QWidget(this);
+    const DerivativeRow row{new QCheckBox(fields), new NumberField(fields), new NumberField(fields)};
+    auto* layout = new QHBoxLayout(fields);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(row.isGiven);
+    layout->addWidget(row.x, 1);
+    layout->addWidget(row.y, 1);
+    addRow(label, fields);
+    connect(row.isGiven, &QCheckBox::toggled, this, [this, row, end](bool on) {
+        setDerivative(end, on ? std::optional(Vector{row.x->value(), row.y->value()}) : std::nullopt);
+    });
+    connect(row.x, &NumberField::valueCommitted, this, [this, row, end](double x) {
+        setDerivative(end, Vector{x, row.y->value()});
+    });
+    connect(row.y, &NumberField::valueCommitted, this, [this, row, end](double y) {
+        setDerivative(end, Vector{row.x->value(), y});
+    });
+    return row;
+}
+
+std::optional<Vector> SplineProperties::givenDerivative(End end) const {
+    const auto& value = curve<SplineCurve>();
+    return end == End::start ? value.startDerivative : value.endDerivative;
+}
+
+void SplineProperties::setDerivative(End end, std::optional<Vector> derivative) {
+    const auto& value = curve<SplineCurve>();
+    const bool isStart = end == End::start;
+    editor().change(withEndDerivatives(value, isStart ? derivative : value.startDerivative,
+                                       isStart ? value.endDerivative : derivative),
+                    isStart ? StepLabel{QT_TRANSLATE_NOOP("Step", "Change the start derivative")}
+                            : StepLabel{QT_TRANSLATE_NOOP("Step", "Change the end derivative")});
+}
+
+void SplineProperties::retranslateFields() {
+    closed_->setText(tr("Closed"));
+    for (const DerivativeRow& row : {start_, end_}) {
+        row.isGiven->setToolTip(tr("Given here; otherwise that of the natural spline"));
+        row.isGiven->setAccessibleName(tr("Given"));
+        row.x->setAccessibleName(QStringLiteral("x"));
+        row.y->setAccessibleName(QStringLiteral("y"));
+    }
+}
+
+void SplineProperties::showCurve() {
+    const auto& value = curve<SplineCurve>();
+    rule_->setCurrentIndex(static_cast<int>(value.rule));
+    rule_->setEnabled(value.degree > 2); // parabolas follow no rule
+    degree_->setValue(value.degree);
+    const QSignalBlocker blocker(closed_);
+    closed_->setChecked(value.closed);
+    const std::vector<int> knots = editor().selectedPoints();
+    join_->setEnabled(!knots.empty() && value.degree > 2);
+    if (!knots.empty())
+        join_->setCurrentIndex(static_cast<int>(value.knots[static_cast<std::size_t>(knots.front())].join));
+    showDerivative(start_, End::start);
+    showDerivative(end_, End::end);
+}
+
+void SplineProperties::showDerivative(const DerivativeRow& row, End end) {
+    const auto& value = curve<SplineCurve>();
+    const bool isUsed = value.rule == SplineCurve::Rule::clamped && !value.closed && value.degree > 2;
+    const std::optional<Vector> given = givenDerivative(end);
+    const EndDerivatives present = endDerivatives(value, knotHandles(value));
+    const Vector shown = given.value_or((end == End::start ? present.start : present.end).value_or(Vector{}));
+    const QSignalBlocker blocker(row.isGiven);
+    row.isGiven->setChecked(given.has_value());
+    row.isGiven->setEnabled(isUsed);
+    row.x->setEnabled(isUsed);
+    row.y->setEnabled(isUsed);
+    row.x->setValue(shown.x);
+    row.y->setValue(shown.y);
+}
+
+} // namespace kriva::ui

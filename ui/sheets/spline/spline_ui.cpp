@@ -1,0 +1,41 @@
+#include "ui/sheets/spline/spline_ui.h"
+
+#include "core/spline/joins.h"
+#include "ui/sheets/spline/spline_properties.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace kriva::ui {
+namespace {
+
+QString joinText(SplineKnot::Join join) {
+    return QCoreApplication::translate("Properties", kJoinTexts[static_cast<std::size_t>(join)]);
+}
+
+PointColumn joinColumn() {
+    return {QT_TRANSLATE_NOOP("PointColumn", "Join"),
+            [](const Curve& curve, int knot) {
+                return joinText(std::get<SplineCurve>(curve).knots[static_cast<std::size_t>(knot)].join);
+            },
+            [](const Curve& curve, int knot, const QString& text) -> std::optional<Curve> {
+                for (std::size_t i = 0; i < kJoinTexts.size(); ++i) {
+                    const auto join = static_cast<SplineKnot::Join>(i);
+                    if (text.trimmed().compare(joinText(join), Qt::CaseInsensitive) == 0)
+                        return withJoin(std::get<SplineCurve>(curve), std::span(&knot, 1), join);
+                }
+                return {};
+            },
+            {QT_TRANSLATE_NOOP("Step", "Set the join")}};
+}
+
+} // namespace
+
+SheetUi splineUi() {
+    return {QT_TRANSLATE_NOOP("Sheet", "Spline"),
+            [](SheetEditor& editor, QWidget* parent) { return new SplineProperties(editor, parent); },
+            {joinColumn()}};
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,165 @@
+#include "ui/sheets/subdivision/subdivision_properties.h"
+
+#include "core/document/limits.h"
+#include "core/subdivision/subdivision_edits.h"
+#include "ui/sheets/subdivision/blossom_text.h"
+
+#include <QSignalBlocker>
+
+#include <algorithm>
+
+namespace kriva::ui {
+namespace {
+
+constexpr double kStepOfT = 0.01;
+constexpr int kStagesOfT = 99; // t = 0.01 to 0.99
+
+const SubdivisionCurve& valueOf(const Curve& curve) {
+    return std::get<SubdivisionCurve>(curve);
+}
+
+} // namespace
+
+SubdivisionProperties::SubdivisionProperties(SheetEditor& editor, QWidget* parent)
+    : PropertiesPanel(editor, parent)
+    , t_(new SliderField(this))
+    , levels_(new SliderField(this))
+    , showsCurve_(new QCheckBox(this))
+    , multiplicity_(new NumberField(this))
+    , hasBlossom_(new QCheckBox(this))
+    , blossom_(new QLineEdit(this))
+    , playedBox_(new QComboBox(this))
+    , player_(new Player(this)) {
+    makeRows();
+    makeBlossom();
+    makePlayer();
+    finish();
+}
+
+void SubdivisionProperties::makeRows() {
+    addRow(QT_TRANSLATE_NOOP("Properties", "Parameter t"), t_);
+    t_->setRange({0, 1, true, false});
+    t_->setSlider(kStepOfT, 1 - kStepOfT, kStepOfT);
+    bind(t_, [](const Curve& curve, double t) { return Curve(withT(valueOf(curve), t)); },
+         {QT_TRANSLATE_NOOP("Step", "Set the parameter t")});
+    addRow(QT_TRANSLATE_NOOP("Properties", "Levels"), levels_);
+    bind(levels_,
+         [](const Curve& curve, double levels) { return Curve(withLevels(valueOf(curve), static_cast<int>(levels))); },
+         {QT_TRANSLATE_NOOP("Step", "Set the levels")});
+    addWide(showsCurve_);
+    connect(showsCurve_, &QCheckBox::toggled, this,
+            [this](bool on) { editor().document().setLayerShown(editor().index(), "curve", on); });
+    addRow(QT_TRANSLATE_NOOP("Properties", "Multiplicity of the selected point"), multiplicity_);
+    connect(multiplicity_, &NumberField::valueCommitted, this, [this](double times) {
+        SubdivisionCurve changed = curve<SubdivisionCurve>();
+        for (const int point : editor().selectedPoints())
+            changed = withMultiplicity(changed, point, static_cast<int>(times));
+        editor().change(std::move(changed), {QT_TRANSLATE_NOOP("Step", "Set the multiplicity")});
+    });
+}
+
+void SubdivisionProperties::makeBlossom() {
+    addHeading(QT_TRANSLATE_NOOP("Properties", "Blossom"));
+    addWide(hasBlossom_);
+    addRow(QT_TRANSLATE_NOOP("Properties", "Arguments"), blossom_);
+    connect(hasBlossom_, &QCheckBox::toggled, this, [this](bool on) {
+        const auto& value = curve<SubdivisionCurve>();
+        std::optional<std::vector<double>> arguments;
+        if (on)
+            arguments.emplace(controlPointCount(value) - 1, value.t);
+        editor().change(withBlossom(value, std::move(arguments)), {QT_TRANSLATE_NOOP("Step", "Show the blossom")});
+    });
+    connect(blossom_, &QLineEdit::editingFinished, this, &SubdivisionProperties::takeBlossom);
+}
+
+void SubdivisionProperties::makePlayer() {
+    addHeading(QT_TRANSLATE_NOOP("Properties", "Animation"));
+    addRow(QT_TRANSLATE_NOOP("Properties", "Runs over"), playedBox_);
+    playedBox_->addItems({QString(), QString()});
+    addWide(player_);
+    connect(playedBox_, &QComboBox::activated, this, [this] {
+        player_->pause();
+        editor().setStage({});
+        showState();
+    });
+    connect(player_, &Player::stageChanged, this, &SubdivisionProperties::showStage);
+    connect(player_, &Player::keepRequested, this, &SubdivisionProperties::keepStage);
+}
+
+void SubdivisionProperties::retranslateFields() {
+    showsCurve_->setText(tr("Show the curve"));
+    hasBlossom_->setText(tr("Show the blossom"));
+    playedBox_->setItemText(0, tr("Parameter t"));
+    playedBox_->setItemText(1, tr("Levels"));
+}
+
+void SubdivisionProperties::showCurve() {
+    const auto& value = curve<SubdivisionCurve>();
+    const int most = mostLevels(std::max<std::size_t>(controlPointCount(value), 2));
+    t_->setValue(value.t);
+    levels_->setRange({0, static_cast<double>(most), false, true});
+    levels_->setSlider(0, most, 1);
+    levels_->setValue(value.levels);
+    const QSignalBlocker blocker(showsCurve_);
+    for (const LayerInfo& layer : layersOf(editor().index()))
+        if (layer.name == "curve")
+            showsCurve_->setChecked(isShown(layer, editor().sheet().view));
+    showMultiplicity();
+    showBlossom();
+    const bool overT = played() == Played::t;
+    player_->setLast(isIncomplete(value) ? 0 : overT ? kStagesOfT - 1 : most);
+    if (!editor().hasStage())
+        player_->setStage(overT ? static_cast<int>((value.t - kStepOfT) / kStepOfT + 0.5) : value.levels);
+}
+
+void SubdivisionProperties::showMultiplicity() {
+    const std::vector<int> points = editor().selectedPoints();
+    const auto& value = curve<SubdivisionCurve>();
+    multiplicity_->setEnabled(!points.empty());
+    int most = static_cast<int>(limits::kControlPoints);
+    for (const int point : points)
+        most = std::min(most, mostMultiplicity(value, point));
+    multiplicity_->setRange({1, static_cast<double>(most), false, true});
+    multiplicity_->setValue(points.empty() ? 1 : value.multiplicity[static_cast<std::size_t>(points.front())]);
+}
+
+void SubdivisionProperties::showBlossom() {
+    const auto& value = curve<SubdivisionCurve>();
+    const QSignalBlocker blocker(hasBlossom_);
+    hasBlossom_->setEnabled(!isIncomplete(value));
+    hasBlossom_->setChecked(value.blossom.has_value());
+    blossom_->setEnabled(value.blossom.has_value());
+    if (!blossom_->isModified())
+        blossom_->setText(value.blossom ? blossomText(*value.blossom) : QString());
+}
+
+void SubdivisionProperties::takeBlossom() {
+    if (!blossom_->isModified())
+        return;
+    blossom_->setModified(false);
+    const auto& value = curve<SubdivisionCurve>();
+    std::optional<std::vector<double>> arguments = blossomArguments(blossom_->text());
+    if (arguments && arguments->size() + 1 == controlPointCount(value))
+        editor().change(withBlossom(value, std::move(arguments)), {QT_TRANSLATE_NOOP("Step", "Set the blossom")});
+    else
+        Q_EMIT editor().hint(QT_TRANSLATE_NOOP("Hint", "The blossom needs as many numbers as the degree"));
+    showBlossom();
+}
+
+Curve SubdivisionProperties::stageCurve(int stage) const {
+    const auto& value = curve<SubdivisionCurve>();
+    return played() == Played::t ? withT(value, (stage + 1) * kStepOfT) : withLevels(value, stage);
+}
+
+void SubdivisionProperties::showStage(int stage) {
+    editor().setStage(stageCurve(stage));
+}
+
+void SubdivisionProperties::keepStage() {
+    player_->pause();
+    Curve kept = stageCurve(player_->stage());
+    editor().setStage({});
+    editor().change(std::move(kept), {QT_TRANSLATE_NOOP("Step", "Keep the stage")});
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "ui/panels/player.h"
+#include "ui/sheets/properties_panel.h"
+
+#include <QCheckBox>
+#include <QLineEdit>
+
+namespace kriva::ui {
+
+/// Where the curve is cut and how often, whether it is shown, how often the selected points stand, the blossom's
+/// arguments, and a player over t or over the levels.
+class SubdivisionProperties : public PropertiesPanel {
+    Q_OBJECT
+  public:
+    SubdivisionProperties(SheetEditor& editor, QWidget* parent);
+
+  protected:
+    void showCurve() override;
+    void retranslateFields() override;
+
+  private:
+    enum class Played { t, levels };
+
+    void makeRows();
+    void makeBlossom();
+    void makePlayer();
+    void showMultiplicity();
+    void showBlossom();
+    void takeBlossom();
+    void showStage(int stage);
+    void keepStage();
+    [[nodiscard]] Curve stageCurve(int stage) const;
+    [[nodiscard]] Played played() const { return static_cast<Played>(playedBox_->currentIndex()); }
+
+    SliderField* t_;
+    SliderField* levels_;
+    QCheckBox* showsCurve_;
+    NumberField* multiplicity_;
+    QCheckBox* hasBlossom_;
+    QLineEdit* blossom_;
+    QComboBox* playedBox_;
+    Player* player_;
+};
+
+} // namespace kriva::ui

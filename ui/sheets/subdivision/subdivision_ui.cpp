@@ -1,0 +1,35 @@
+#include "ui/sheets/subdivision/subdivision_ui.h"
+
+#include "core/subdivision/subdivision_edits.h"
+#include "ui/sheets/subdivision/subdivision_properties.h"
+#include "ui/shell/number_text.h"
+
+namespace kriva::ui {
+namespace {
+
+PointColumn multiplicityColumn() {
+    return {QT_TRANSLATE_NOOP("PointColumn", "Multiplicity"),
+            [](const Curve& curve, int point) {
+                const auto& value = std::get<SubdivisionCurve>(curve);
+                return QString::number(value.multiplicity[static_cast<std::size_t>(point)]);
+            },
+            [](const Curve& curve, int point, const QString& text) -> std::optional<Curve> {
+                const auto& value = std::get<SubdivisionCurve>(curve);
+                const std::optional<double> times = parseNumber(text);
+                const NumberRange range{1, static_cast<double>(mostMultiplicity(value, point)), false, true};
+                if (!times || !range.contains(*times))
+                    return {};
+                return withMultiplicity(value, point, static_cast<int>(*times));
+            },
+            {QT_TRANSLATE_NOOP("Step", "Set the multiplicity")}};
+}
+
+} // namespace
+
+SheetUi subdivisionUi() {
+    return {QT_TRANSLATE_NOOP("Sheet", "Subdivision"),
+            [](SheetEditor& editor, QWidget* parent) { return new SubdivisionProperties(editor, parent); },
+            {multiplicityColumn()}};
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "ui/shell/icons.h"
+
+#include <QAction>
+#include <QObject>
+
+#include <optional>
+#include <vector>
+
+namespace kriva::ui {
+
+/// All actions of the window, with their texts, icons and shortcuts, but without what they do. Menus, tool bar and
+/// window connect them; a language switch changes their texts in place.
+class Actions : public QObject {
+    Q_OBJECT
+  public:
+    explicit Actions(QWidget* window);
+
+    // File
+    QAction* newDocument;
+    QAction* open;
+    QAction* save;
+    QAction* saveAs;
+    QAction* exportFigure;
+    QAction* quit;
+    // Edit
+    QAction* undo;
+    QAction* redo;
+    QAction* deleteSelected;
+    QAction* deleteLastPoint;
+    QAction* clearCanvas;
+    QAction* selectAll;
+    QAction* selectNone;
+    QAction* selectInverse;
+    // Curve
+    QAction* newCurve;
+    QAction* duplicateCurve;
+    QAction* deleteCurve;
+    QAction* nextCurve;
+    QAction* reverseCurve;
+    // View
+    QAction* editTool;
+    QAction* addTool;
+    QAction* zoomIn;
+    QAction* zoomOut;
+    QAction* zoomTo100;
+    QAction* fitAll;
+    QAction* fitSelection;
+    QAction* grid;
+    QAction* axes;
+    QAction* resetPanels;
+    QAction* fullScreen;
+    // Help
+    QAction* about;
+    QAction* aboutQt;
+
+    void retranslateUi();
+
+  private:
+    struct Entry {
+        QAction* action;
+        const char* text; ///< marked with QT_TRANSLATE_NOOP("Actions", ...)
+    };
+    QAction* make(const char* name, const char* text, const QKeySequence& shortcut = {},
+                  std::optional<IconName> iconName = {});
+    QAction* makeToggle(const char* name, const char* text, const QKeySequence& shortcut = {},
+                        std::optional<IconName> iconName = {});
+
+    QWidget* window_;
+    std::vector<Entry> entries_;
+};
+
+} // namespace kriva::ui

@@ -1,0 +1,113 @@
+#include "ui/shell/document_session.h"
+
+#include "ui/document/document_file.h"
+#include "ui/document/error_text.h"
+#include "ui/shell/examples.h"
+#include "ui/shell/preferences.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+
+namespace kriva::ui {
+
+DocumentSession::DocumentSession(OpenDocument& document, Preferences& preferences, QWidget* window)
+    : QObject(window)
+    , document_(document)
+    , preferences_(preferences)
+    , window_(window) {}
+
+QString DocumentSession::name() const {
+    return path_.isEmpty() ? tr("Untitled") : QFileInfo(path_).fileName();
+}
+
+void DocumentSession::newDocument() {
+    if (mayClose())
+        show({});
+}
+
+void DocumentSession::show(Document document) {
+    document_.replace(std::move(document));
+    setPath({});
+}
+
+void DocumentSession::openExample(const QString& resource) {
+    if (mayClose())
+        show(exampleDocument(resource));
+}
+
+void DocumentSession::open() {
+    if (!mayClose())
+        return;
+    const QString path = QFileDialog::getOpenFileName(window_, tr("Open"), QFileInfo(path_).path(),
+                                                      tr("Documents and figures of Kriva (*.kriva *.svg)"));
+    if (!path.isEmpty())
+        openFile(path);
+}
+
+bool DocumentSession::openFile(const QString& path) {
+    std::variant<Document, OpenError> loaded = loadDocument(path);
+    if (const OpenError* error = std::get_if<OpenError>(&loaded)) {
+        tell(tr("The file was not opened"), errorText(*error, path));
+        return false;
+    }
+    document_.replace(std::get<Document>(std::move(loaded)));
+    // A figure keeps its document inside, but saving must not put a document in the figure's place.
+    const bool isDocument = path.endsWith(QLatin1String(".kriva"));
+    setPath(isDocument ? path : QString());
+    preferences_.addRecentFile(path);
+    return true;
+}
+
+bool DocumentSession::save() {
+    return path_.isEmpty() ? saveAs() : saveTo(path_);
+}
+
+bool DocumentSession::saveAs() {
+    QFileDialog dialog(window_, tr("Save as"), QFileInfo(path_).path(), tr("Documents of Kriva (*.kriva)"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("kriva"));
+    dialog.selectFile(name());
+    return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().constFirst());
+}
+
+bool DocumentSession::saveTo(const QString& path) {
+    document_.endGesture();
+    if (const std::optional<WriteError> error = saveDocument(path, document_.value())) {
+        tell(tr("The document was not saved"), errorText(*error, path));
+        return false;
+    }
+    document_.markSaved();
+    setPath(path);
+    preferences_.addRecentFile(path);
+    return true;
+}
+
+bool DocumentSession::mayClose() {
+    document_.endGesture();
+    if (!document_.isModified())
+        return true;
+    QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(name()),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
+    box.setInformativeText(tr("Without saving they are lost."));
+    box.setDefaultButton(QMessageBox::Save);
+    switch (box.exec()) {
+    case QMessageBox::Save:
+        return save();
+    case QMessageBox::Discard:
+        return true;
+    default:
+        return false;
+    }
+}
+
+void DocumentSession::setPath(const QString& path) {
+    path_ = path;
+    Q_EMIT pathChanged();
+}
+
+void DocumentSession::tell(const QString& title, const QString& text) {
+    QMessageBox(QMessageBox::Critical, title, text, QMessageBox::Ok, window_).exec();
+}
+
+} // namespace kriva::ui

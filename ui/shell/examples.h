@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/document/document.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace kriva::ui {
+
+/// One of the documents that come with the program.
+struct Example {
+    const char* resource; ///< ":/examples/NAME.kriva"
+    const char* name;     ///< marked with QT_TRANSLATE_NOOP("Menus", ...)
+};
+
+/// The classic figures, in the order of the menu.
+[[nodiscard]] const std::vector<Example>& examples();
+
+[[nodiscard]] Document exampleDocument(const QString& resource);
+
+/// What a new window begins with: something to look at in each tab.
+[[nodiscard]] Document startDocument();
+
+} // namespace kriva::ui

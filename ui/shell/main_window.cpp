@@ -1,0 +1,210 @@
+#include "ui/shell/main_window.h"
+
+#include "ui/document/error_text.h"
+#include "ui/shell/about_dialog.h"
+#include "ui/shell/actions.h"
+#include "ui/shell/document_session.h"
+#include "ui/shell/export_figure.h"
+#include "ui/shell/menus.h"
+#include "ui/shell/preferences.h"
+#include "ui/shell/status_row.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QMessageBox>
+
+namespace kriva::ui {
+
+MainWindow::MainWindow(const Surroundings& surroundings)
+    : surroundings_(surroundings)
+    , actions_(new Actions(this))
+    , session_(new DocumentSession(document_, surroundings.preferences, this))
+    , menus_(new Menus(*menuBar(), *addToolBar(QString()), *actions_))
+    , status_(new StatusRow(this))
+    , tabWidget_(new QTabWidget(this)) {
+    setObjectName(QStringLiteral("mainWindow"));
+    setWindowIcon(applicationIcon());
+    tabWidget_->setDocumentMode(true);
+    setCentralWidget(tabWidget_);
+    setStatusBar(status_);
+    makeTabs(surroundings.sheets);
+    connectActions();
+    connectEditActions();
+    connectViewActions();
+    menus_->setRecentFiles(surroundings_.preferences.recentFiles());
+    menus_->setLanguage(surroundings_.language.language());
+    menus_->setThemeChoice(surroundings_.theme.theme());
+    if (!restoreGeometry(surroundings_.preferences.windowGeometry()))
+        resize(1280, 800);
+    followTab();
+    showTheme();
+    retranslateUi();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
+    for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
+        auto* tab = new SheetTab(document_, sheet, sheets[sheet], this);
+        tabs_.push_back(tab);
+        tabWidget_->addTab(tab, QString());
+        connect(tab, &SheetTab::hintChanged, status_, &StatusRow::showHint);
+        connect(&tab->canvas(), &CanvasView::pointerMoved, status_, &StatusRow::showPointer);
+        connect(&tab->canvas(), &CanvasView::zoomChanged, status_, &StatusRow::showZoom);
+        connect(&tab->canvas(), &CanvasView::toolChanged, this, &MainWindow::followTab);
+        connect(&tab->editor(), &SheetEditor::selectionChanged, this, &MainWindow::followSelection);
+    }
+    connect(tabWidget_, &QTabWidget::currentChanged, this,
+            [this](int index) { document_.setActiveSheet(static_cast<SheetIndex>(index)); });
+    connect(&document_, &OpenDocument::activeSheetChanged, this, &MainWindow::followTab);
+    connect(&document_, &OpenDocument::replaced, this, &MainWindow::followTab);
+}
+
+void MainWindow::connectActions() {
+    connect(actions_->newDocument, &QAction::triggered, session_, &DocumentSession::newDocument);
+    connect(actions_->open, &QAction::triggered, session_, &DocumentSession::open);
+    connect(actions_->save, &QAction::triggered, session_, &DocumentSession::save);
+    connect(actions_->saveAs, &QAction::triggered, session_, &DocumentSession::saveAs);
+    connect(actions_->exportFigure, &QAction::triggered, this, &MainWindow::exportFigure);
+    connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
+    connect(actions_->about, &QAction::triggered, this, &MainWindow::showAbout);
+    connect(actions_->aboutQt, &QAction::triggered, qApp, &QApplication::aboutQt);
+    connect(menus_, &Menus::recentFileChosen, session_, [this](const QString& path) {
+        if (session_->mayClose())
+            session_->openFile(path);
+    });
+    connect(menus_, &Menus::exampleChosen, session_, &DocumentSession::openExample);
+    connect(menus_, &Menus::languageChosen, this, [this](Language language) {
+        surroundings_.preferences.setLanguage(language);
+        surroundings_.language.setLanguage(language);
+    });
+    connect(&surroundings_.language, &LanguageSwitch::changed, this,
+            [this] { menus_->setLanguage(surroundings_.language.language()); });
+    connect(menus_, &Menus::themeChosen, this, [this](ThemeChoice choice) {
+        surroundings_.preferences.setTheme(choice);
+        surroundings_.theme.setTheme(choice);
+    });
+    connect(&surroundings_.theme, &ThemeSwitch::changed, this, &MainWindow::showTheme);
+    connect(session_, &DocumentSession::pathChanged, this, [this] {
+        setWindowTitle(QStringLiteral("%1[*] – Kriva").arg(session_->name()));
+        menus_->setRecentFiles(surroundings_.preferences.recentFiles());
+    });
+    connect(&document_, &OpenDocument::modifiedChanged, this, &QWidget::setWindowModified);
+    connect(&document_, &OpenDocument::refused, this,
+            [this](const FileError& error) { status_->showHint(errorText(error)); });
+}
+
+void MainWindow::connectEditActions() {
+    const auto onEditor = [this](QAction* action, void (SheetEditor::*edit)()) {
+        connect(action, &QAction::triggered, this, [this, edit] { (currentTab().editor().*edit)(); });
+    };
+    const auto onActiveCurve = [this](QAction* action, void (SheetEditor::*edit)(Serial)) {
+        connect(action, &QAction::triggered, this, [this, edit] {
+            SheetEditor& editor = currentTab().editor();
+            (editor.*edit)(editor.activeSerial());
+        });
+    };
+    connect(actions_->undo, &QAction::triggered, &document_, &OpenDocument::undo);
+    connect(actions_->redo, &QAction::triggered, &document_, &OpenDocument::redo);
+    onEditor(actions_->deleteSelected, &SheetEditor::removeSelected);
+    onEditor(actions_->deleteLastPoint, &SheetEditor::removeLastPoint);
+    onEditor(actions_->clearCanvas, &SheetEditor::clear);
+    onEditor(actions_->selectAll, &SheetEditor::selectAll);
+    onEditor(actions_->selectNone, &SheetEditor::selectNone);
+    onEditor(actions_->selectInverse, &SheetEditor::invertSelection);
+    onEditor(actions_->newCurve, &SheetEditor::newCurve);
+    onEditor(actions_->nextCurve, &SheetEditor::activateNextCurve);
+    onEditor(actions_->reverseCurve, &SheetEditor::reverse);
+    onActiveCurve(actions_->duplicateCurve, &SheetEditor::duplicateCurve);
+    onActiveCurve(actions_->deleteCurve, &SheetEditor::deleteCurve);
+    connect(&document_.histories(), &QUndoGroup::indexChanged, this, &MainWindow::followHistory);
+    connect(&document_.histories(), &QUndoGroup::activeStackChanged, this, &MainWindow::followHistory);
+}
+
+void MainWindow::connectViewActions() {
+    const auto onCanvas = [this](QAction* action, void (CanvasView::*act)()) {
+        connect(action, &QAction::triggered, this, [this, act] { (currentTab().canvas().*act)(); });
+    };
+    onCanvas(actions_->zoomIn, &CanvasView::zoomIn);
+    onCanvas(actions_->zoomOut, &CanvasView::zoomOut);
+    onCanvas(actions_->zoomTo100, &CanvasView::zoomTo100);
+    onCanvas(actions_->fitAll, &CanvasView::fitAll);
+    onCanvas(actions_->fitSelection, &CanvasView::fitSelection);
+    connect(actions_->editTool, &QAction::triggered, this, [this] { currentTab().canvas().setTool(Tool::edit); });
+    connect(actions_->addTool, &QAction::triggered, this, [this] { currentTab().canvas().setTool(Tool::add); });
+    connect(actions_->grid, &QAction::triggered, this, [this](bool on) { currentTab().canvas().setGridShown(on); });
+    connect(actions_->axes, &QAction::triggered, this, [this](bool on) { currentTab().canvas().setAxesShown(on); });
+    connect(actions_->resetPanels, &QAction::triggered, this, [this] { currentTab().resetPanels(); });
+    connect(actions_->fullScreen, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    QMainWindow::changeEvent(event);
+}
+
+void MainWindow::retranslateUi() {
+    for (std::size_t i = 0; i < tabs_.size(); ++i)
+        tabWidget_->setTabText(static_cast<int>(i),
+                               QCoreApplication::translate("Sheet", surroundings_.sheets[i].title));
+    actions_->retranslateUi();
+    menus_->retranslateUi();
+    setWindowTitle(QStringLiteral("%1[*] – Kriva").arg(session_->name()));
+    followHistory();
+}
+
+void MainWindow::followTab() {
+    const SheetIndex sheet = document_.value().active;
+    tabWidget_->setCurrentIndex(static_cast<int>(sheet));
+    menus_->setPanels(tabs_[sheet]->panelActions());
+    CanvasView& canvas = tabs_[sheet]->canvas();
+    actions_->editTool->setChecked(canvas.tool() == Tool::edit);
+    actions_->addTool->setChecked(canvas.tool() == Tool::add);
+    actions_->grid->setChecked(canvas.isGridShown());
+    actions_->axes->setChecked(canvas.areAxesShown());
+    status_->showZoom(canvas.zoomPercent());
+    followSelection();
+    followHistory();
+}
+
+void MainWindow::followHistory() {
+    const QUndoGroup& histories = document_.histories();
+    actions_->undo->setEnabled(histories.canUndo());
+    actions_->redo->setEnabled(histories.canRedo());
+    actions_->undo->setText(histories.canUndo() ? tr("&Undo: %1").arg(resolvedStep(histories.undoText()))
+                                                : tr("&Undo"));
+    actions_->redo->setText(histories.canRedo() ? tr("&Redo: %1").arg(resolvedStep(histories.redoText()))
+                                                : tr("&Redo"));
+}
+
+void MainWindow::followSelection() {
+    actions_->deleteSelected->setEnabled(!currentTab().editor().selectedPoints().empty());
+}
+
+void MainWindow::showTheme() {
+    for (SheetTab* tab : tabs_)
+        tab->canvas().setTheme(surroundings_.theme.isDark() ? Theme::dark : Theme::light);
+}
+
+void MainWindow::exportFigure() {
+    document_.endGesture();
+    ui::exportFigure(currentTab().editor(), session_->name(), this);
+}
+
+void MainWindow::showAbout() {
+    auto* dialog = new AboutDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!session_->mayClose()) {
+        event->ignore();
+        return;
+    }
+    surroundings_.preferences.setWindowGeometry(saveGeometry());
+    event->accept();
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "ui/sheets/sheet_tab.h"
+
+#include <QTabWidget>
+
+namespace kriva::ui {
+
+class Actions;
+class DocumentSession;
+class LanguageSwitch;
+class Menus;
+class Preferences;
+class StatusRow;
+class ThemeSwitch;
+
+/// A window: one document, one tab for each sheet, menus and status bar.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+  public:
+    /// What outlives the window and is shared by all of them.
+    struct Surroundings {
+        Preferences& preferences;
+        LanguageSwitch& language;
+        ThemeSwitch& theme;
+        std::span<const SheetUi> sheets; ///< in the order of the document's
+    };
+    explicit MainWindow(const Surroundings& surroundings);
+    ~MainWindow() override;
+
+    [[nodiscard]] OpenDocument& document() { return document_; }
+    [[nodiscard]] DocumentSession& session() { return *session_; }
+    [[nodiscard]] SheetTab& tab(SheetIndex sheet) { return *tabs_[sheet]; }
+    [[nodiscard]] SheetTab& currentTab() { return *tabs_[document_.value().active]; }
+
+  protected:
+    void changeEvent(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+  private:
+    void makeTabs(std::span<const SheetUi> sheets);
+    void connectActions();
+    void connectEditActions();
+    void connectViewActions();
+    void retranslateUi();
+    void followTab();
+    void followHistory();
+    void followSelection();
+    void showTheme();
+    void exportFigure();
+    void showAbout();
+
+    Surroundings surroundings_;
+    OpenDocument document_;
+    Actions* actions_;
+    DocumentSession* session_;
+    Menus* menus_;
+    StatusRow* status_;
+    QTabWidget* tabWidget_;
+    std::vector<SheetTab*> tabs_;
+};
+
+} // namespace kriva::ui

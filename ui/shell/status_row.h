@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/geometry/point.h"
+
+#include <QLabel>
+#include <QStatusBar>
+
+namespace kriva::ui {
+
+/// The status bar: a hint, the pointer's coordinates, the zoom.
+class StatusRow : public QStatusBar {
+    Q_OBJECT
+  public:
+    explicit StatusRow(QWidget* parent = nullptr);
+
+    void showHint(const QString& hint) { hint_->setText(hint); }
+    void showPointer(Point at);
+    void showZoom(double percent);
+
+  protected:
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void retranslateUi();
+
+    QLabel* hint_;
+    QLabel* pointer_;
+    QLabel* zoom_;
+    Point at_;
+    double percent_ = 100;
+};
+
+} // namespace kriva::ui
