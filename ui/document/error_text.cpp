@@ -34,7 +34,7 @@ QString Errors::reason(const FileError& error) {
     case FileProblem::notJson:
         return tr("this is no JSON");
     case FileProblem::nestedTooDeep:
-        return tr("nested too deep");
+        return tr("nested more than %1 deep").arg(number(error, 0));
     case FileProblem::foreignFormat:
         return tr("this is no document of Kriva");
     case FileProblem::unknownVersion:
@@ -80,11 +80,11 @@ QString Errors::reason(const FileError& error) {
     case FileProblem::notXml:
         return tr("this is no XML");
     case FileProblem::internalSubset:
-        return tr("a document type with declarations of its own is not read");
-    case FileProblem::tooManyAttributes:
-        return tr("more than %1 attributes in one element").arg(number(error, 0));
+        return tr("the document type has declarations of its own");
     case FileProblem::tooManyElements:
-        return tr("more than %1 elements").arg(number(error, 0));
+        return tr("more than %1 elements are too many").arg(number(error, 0));
+    case FileProblem::tooManyAttributes:
+        return tr("more than %1 attributes are too many").arg(number(error, 0));
     }
     return {};
 }
