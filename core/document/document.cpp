@@ -114,6 +114,21 @@ Edited<Curve> withPointAdded(Curve curve, Point at) {
     return std::visit([&](auto&& c) { return widened(withPointAdded(std::move(c), at)); }, std::move(curve));
 }
 
+std::optional<Edited<Curve>> withPointInserted(const Curve& curve, Point near) {
+    return std::visit(
+        [&](const auto& c) -> std::optional<Edited<Curve>> {
+            auto edited = withPointInserted(c, near);
+            if (!edited)
+                return {};
+            return widened(std::move(*edited));
+        },
+        curve);
+}
+
+std::optional<Curve> withCurvePulled(const Curve& curve, Point from, Vector by) {
+    return std::visit([&](const auto& c) -> std::optional<Curve> { return withCurvePulled(c, from, by); }, curve);
+}
+
 Edited<Curve> withPointsRemoved(const Curve& curve, const std::vector<int>& indices) {
     return std::visit([&](const auto& c) { return widened(withPointsRemoved(c, indices)); }, curve);
 }

@@ -55,6 +55,10 @@ struct Document {
 [[nodiscard]] Curve withGripsMoved(const Curve& curve, std::span<const GripId> ids, Vector by);
 /// By value, so that adding many to a moved curve copies nothing.
 [[nodiscard]] Edited<Curve> withPointAdded(Curve curve, Point at);
+/// A point more near a place of the curve that keeps its shape; nothing where the curve has no room for one.
+[[nodiscard]] std::optional<Edited<Curve>> withPointInserted(const Curve& curve, Point near);
+/// The curve pulled where it is nearest to `from`; nothing where it gives way to no pull.
+[[nodiscard]] std::optional<Curve> withCurvePulled(const Curve& curve, Point from, Vector by);
 [[nodiscard]] Edited<Curve> withPointsRemoved(const Curve& curve, const std::vector<int>& indices);
 [[nodiscard]] Edited<Curve> reversed(const Curve& curve);
 [[nodiscard]] std::span<const LayerInfo> layersOf(SheetIndex sheet);

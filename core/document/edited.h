@@ -68,4 +68,13 @@ template <class Element>
     return kept;
 }
 
+/// The map of `count` points when `added` more come and only the ends stay what they were.
+[[nodiscard]] inline IndexMap mapOfEnds(int count, int added) {
+    IndexMap map;
+    map.newIndex.assign(static_cast<std::size_t>(count), IndexMap::kGone);
+    map.newIndex.front() = 0;
+    map.newIndex.back() = count - 1 + added;
+    return map;
+}
+
 } // namespace kriva

@@ -6,7 +6,7 @@
 namespace kriva::limits {
 
 inline constexpr std::size_t kFileBytes = 64u << 20;
-inline constexpr int kNesting = 64; ///< of JSON
+inline constexpr int kNesting = 64;    ///< of JSON
 inline constexpr double kNumber = 1e9; ///< largest absolute value of any number
 inline constexpr std::size_t kPointsInCurve = 100'000;
 inline constexpr std::size_t kCurvesInSheet = 1'000;

@@ -1,5 +1,8 @@
 #include "core/elevation/elevation_edits.h"
 
+#include "core/bezier/elevate.h"
+#include "core/bezier/nearest.h"
+#include "core/bezier/pull.h"
 #include "core/document/limits.h"
 
 #include <algorithm>
@@ -36,6 +39,25 @@ Edited<ElevationCurve> reversed(const ElevationCurve& curve) {
     Edited<ElevationCurve> edited{curve, mapReversed(static_cast<int>(curve.points.size()))};
     std::reverse(edited.curve.points.begin(), edited.curve.points.end());
     return edited;
+}
+
+std::optional<Edited<ElevationCurve>> withPointInserted(const ElevationCurve& curve, Point) {
+    if (isIncomplete(curve) || curve.points.size() == limits::kControlPoints)
+        return {};
+    Edited<ElevationCurve> edited{curve, mapOfEnds(static_cast<int>(curve.points.size()), 1)};
+    edited.curve.points = elevated(curve.points, 1);
+    return edited;
+}
+
+std::optional<ElevationCurve> withCurvePulled(const ElevationCurve& curve, Point from, Vector by) {
+    if (isIncomplete(curve))
+        return {};
+    std::optional<Points> points = pulled(curve.points, nearest(curve.points, from).t, by);
+    if (!points)
+        return {};
+    ElevationCurve moved = curve;
+    moved.points = std::move(*points);
+    return moved;
 }
 
 } // namespace kriva

@@ -4,6 +4,8 @@
 #include "core/document/grip.h"
 #include "core/elevation/elevation.h"
 
+#include <optional>
+
 /// The edits of an elevation curve. Every sheet's curve has the same set, found by overloading.
 namespace kriva {
 
@@ -30,5 +32,11 @@ namespace kriva {
 /// `indices` ascending. The degree falls.
 [[nodiscard]] Edited<ElevationCurve> withPointsRemoved(const ElevationCurve& curve, const std::vector<int>& indices);
 [[nodiscard]] Edited<ElevationCurve> reversed(const ElevationCurve& curve);
+
+/// One degree elevation: one point more, the same curve; its inner points are all new. Nothing where the degree cannot
+/// rise.
+[[nodiscard]] std::optional<Edited<ElevationCurve>> withPointInserted(const ElevationCurve& curve, Point near);
+/// The curve pulled where it is nearest to `from`; nothing where it gives way to no pull. See pull.h.
+[[nodiscard]] std::optional<ElevationCurve> withCurvePulled(const ElevationCurve& curve, Point from, Vector by);
 
 } // namespace kriva

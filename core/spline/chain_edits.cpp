@@ -2,15 +2,39 @@
 
 #include "core/bezier/elevate.h"
 #include "core/bezier/evaluate.h"
+#include "core/bezier/nearest.h"
 #include "core/bezier/subdivide.h"
 #include "core/spline/joins.h"
 
+#include <algorithm>
 #include <cassert>
+#include <limits>
 
 namespace kriva {
 namespace {
 
 using Join = SplineKnot::Join;
+
+/// A place of a chain, not too near to a knot: what pulls or cuts there would have to act on nothing.
+struct ChainPlace {
+    int segment = 0;
+    double t = 0;
+};
+constexpr double kLeastT = 1e-3;
+
+std::optional<ChainPlace> placeNear(const SplineCurve& curve, Point point) {
+    const std::vector<Points> segments = solveSpline(curve).segments;
+    std::optional<ChainPlace> place;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const NearestPoint found = nearest(segments[i], point);
+        if (found.distance >= least)
+            continue;
+        least = found.distance;
+        place = ChainPlace{static_cast<int>(i), std::clamp(found.t, kLeastT, 1 - kLeastT)};
+    }
+    return place;
+}
 
 /// Makes room for one more segment behind `segment`.
 std::map<int, Points> shiftedBehind(const std::map<int, Points>& inner, int segment) {
@@ -121,6 +145,20 @@ SplineCurve withSegmentPulled(const SplineCurve& curve, int segment, double t, V
     pulled.knots[from] = withHandleAt(curve.knots[from], HandleSide::out, *handles[from].out + outWeight * step);
     pulled.knots[to] = withHandleAt(curve.knots[to], HandleSide::in, *handles[to].in + inWeight * step);
     return pulled;
+}
+
+std::optional<Edited<SplineCurve>> withPointInserted(const SplineCurve& curve, Point near) {
+    const std::optional<ChainPlace> place = placeNear(curve, near);
+    if (!place)
+        return {};
+    return withKnotInserted(curve, place->segment, place->t);
+}
+
+std::optional<SplineCurve> withCurvePulled(const SplineCurve& curve, Point from, Vector by) {
+    const std::optional<ChainPlace> place = placeNear(curve, from);
+    if (!place || curve.degree == 2)
+        return {};
+    return withSegmentPulled(curve, place->segment, place->t, by);
 }
 
 } // namespace kriva

@@ -23,4 +23,9 @@ namespace kriva {
 /// knots become symmetric. A chain of parabolas stays as it is.
 [[nodiscard]] SplineCurve withSegmentPulled(const SplineCurve& curve, int segment, double t, Vector by);
 
+/// One more knot where the chain is nearest to the point; nothing while it is incomplete. See withKnotInserted.
+[[nodiscard]] std::optional<Edited<SplineCurve>> withPointInserted(const SplineCurve& curve, Point near);
+/// The chain pulled where it is nearest to `from`; nothing where it gives way to no pull. See withSegmentPulled.
+[[nodiscard]] std::optional<SplineCurve> withCurvePulled(const SplineCurve& curve, Point from, Vector by);
+
 } // namespace kriva

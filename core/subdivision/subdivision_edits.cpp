@@ -1,5 +1,8 @@
 #include "core/subdivision/subdivision_edits.h"
 
+#include "core/bezier/elevate.h"
+#include "core/bezier/nearest.h"
+#include "core/bezier/pull.h"
 #include "core/document/limits.h"
 
 #include <algorithm>
@@ -110,6 +113,32 @@ SubdivisionCurve withBlossom(SubdivisionCurve curve, std::optional<std::vector<d
     assert(!arguments || arguments->size() == degreeOf(curve));
     curve.blossom = std::move(arguments);
     return curve;
+}
+
+std::optional<Edited<SubdivisionCurve>> withPointInserted(const SubdivisionCurve& curve, Point) {
+    const int room = mostLevels(controlPointCount(curve) + 1);
+    if (isIncomplete(curve) || controlPointCount(curve) == limits::kControlPoints || curve.levels > room)
+        return {};
+    const int count = static_cast<int>(curve.points.size());
+    const int added = static_cast<int>(controlPointCount(curve)) + 1 - count;
+    Edited<SubdivisionCurve> edited{curve, mapOfEnds(count, added)};
+    edited.curve.points = elevated(controlPolygon(curve), 1);
+    edited.curve.multiplicity.assign(edited.curve.points.size(), 1);
+    fitBlossom(edited.curve);
+    return edited;
+}
+
+std::optional<SubdivisionCurve> withCurvePulled(const SubdivisionCurve& curve, Point from, Vector by) {
+    if (isIncomplete(curve))
+        return {};
+    const Points polygon = controlPolygon(curve);
+    std::optional<Points> points = pulled(polygon, nearest(polygon, from).t, by);
+    if (!points)
+        return {};
+    SubdivisionCurve moved = curve;
+    moved.points = std::move(*points);
+    moved.multiplicity.assign(moved.points.size(), 1);
+    return moved;
 }
 
 } // namespace kriva

@@ -4,6 +4,8 @@
 #include "core/document/grip.h"
 #include "core/subdivision/subdivision.h"
 
+#include <optional>
+
 /// The edits of a subdivision curve. Every sheet's curve has the same set, found by overloading; what follows that set
 /// is this sheet's own. Multiplicities follow their points; the blossom always keeps as many arguments as the degree:
 /// it gains t where the degree rises and loses its last arguments where it falls.
@@ -49,5 +51,12 @@ namespace kriva {
 [[nodiscard]] SubdivisionCurve withLevels(SubdivisionCurve curve, int levels);
 /// As many arguments as the degree; with nothing, the blossom is not asked for.
 [[nodiscard]] SubdivisionCurve withBlossom(SubdivisionCurve curve, std::optional<std::vector<double>> arguments);
+
+/// One degree elevation, multiplicities written out first: one control point more, the same curve; its inner points are
+/// all new. Nothing where the degree cannot rise.
+[[nodiscard]] std::optional<Edited<SubdivisionCurve>> withPointInserted(const SubdivisionCurve& curve, Point near);
+/// The curve pulled where it is nearest to `from`, multiplicities written out; nothing where it gives way to no pull.
+/// See pull.h.
+[[nodiscard]] std::optional<SubdivisionCurve> withCurvePulled(const SubdivisionCurve& curve, Point from, Vector by);
 
 } // namespace kriva

@@ -135,6 +135,23 @@ void SheetEditor::addPoints(std::span<const Point> points) {
         select({{serial, {GripKind::point, last}}});
 }
 
+void SheetEditor::insertPoint(Serial serial, Point near) {
+    const Curve* curve = document_.find(index_, serial);
+    if (!curve)
+        return;
+    std::optional<Edited<Curve>> edited = withPointInserted(*curve, near);
+    if (!edited) {
+        Q_EMIT hint(QT_TRANSLATE_NOOP("Hint", "No point can be inserted here"));
+        return;
+    }
+    const IndexMap map = std::move(edited->map);
+    const Selection before = selection_;
+    if (document_.change(index_, serial, std::move(edited->curve), {QT_TRANSLATE_NOOP("Step", "Insert a point")})) {
+        selection_ = before;
+        applyMap(serial, map);
+    }
+}
+
 void SheetEditor::removePoints(Serial serial, const std::vector<int>& indices) {
     const Curve* curve = document_.find(index_, serial);
     if (!curve || indices.empty())
@@ -247,7 +264,7 @@ void SheetEditor::clear() {
 void SheetEditor::beginDrag(const GripRef& grip) {
     if (!selection_.contains(grip))
         select({grip});
-    dragged_ = grip.serial;
+    pulledAt_.reset();
     draggedGrips_ = selectedGrips(grip.serial);
     setStage({});
     document_.beginGesture(index_, grip.serial,
@@ -255,9 +272,27 @@ void SheetEditor::beginDrag(const GripRef& grip) {
                                                     : moveLabel(grip.id));
 }
 
+void SheetEditor::beginCurveDrag(Serial serial, Point at) {
+    const Curve* curve = document_.find(index_, serial);
+    if (!curve)
+        return;
+    if (!withCurvePulled(*curve, at, {})) {
+        Q_EMIT hint(QT_TRANSLATE_NOOP("Hint", "This curve follows its points; drag them"));
+        return;
+    }
+    pulledAt_ = at;
+    setStage({});
+    document_.beginGesture(index_, serial, {QT_TRANSLATE_NOOP("Step", "Mould the curve")});
+}
+
 void SheetEditor::drag(Vector by) {
-    if (document_.hasGesture())
-        document_.preview(withGripsMoved(document_.gestureStart(), draggedGrips_, by));
+    if (!document_.hasGesture())
+        return;
+    const Curve& start = document_.gestureStart();
+    if (!pulledAt_)
+        document_.preview(withGripsMoved(start, draggedGrips_, by));
+    else if (std::optional<Curve> pulled = withCurvePulled(start, *pulledAt_, by))
+        document_.preview(std::move(*pulled));
 }
 
 void SheetEditor::endDrag() {

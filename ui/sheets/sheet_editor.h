@@ -39,6 +39,8 @@ class SheetEditor : public QObject {
     void addPoint(Point at);
     /// At the end of the active curve, in one step.
     void addPoints(std::span<const Point> points);
+    /// One point more near a place of the curve, which keeps its shape.
+    void insertPoint(Serial serial, Point near);
     void removePoints(Serial serial, const std::vector<int>& indices);
     void removeSelected();
     void removeLastPoint();
@@ -65,6 +67,8 @@ class SheetEditor : public QObject {
 
     // A drag of the selection, told by the canvas.
     void beginDrag(const GripRef& grip);
+    /// A drag of the curve itself, taken hold of at `at`; refused with a hint where it gives way to no pull.
+    void beginCurveDrag(Serial serial, Point at);
     void drag(Vector by);
     void endDrag();
     void cancelDrag();
@@ -86,8 +90,8 @@ class SheetEditor : public QObject {
     SheetIndex index_;
     Selection selection_;
     std::optional<Curve> stage_;
-    Serial dragged_ = 0;
     std::vector<GripId> draggedGrips_;
+    std::optional<Point> pulledAt_; ///< where the curve itself is dragged
 };
 
 /// "b" or "K" with an index: how a grip is named in steps and hints.

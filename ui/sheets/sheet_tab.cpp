@@ -5,6 +5,7 @@
 #include "ui/panels/history_panel.h"
 #include "ui/panels/layers_panel.h"
 #include "ui/panels/results_panel.h"
+#include "ui/sheets/hint_text.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -35,6 +36,8 @@ SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, 
             showAllCurves();
     });
     connect(&editor_, &SheetEditor::shownCurveChanged, this, &SheetTab::updateCurve);
+    connect(&editor_, &SheetEditor::hint, this,
+            [this](const char* text) { Q_EMIT hintChanged(QCoreApplication::translate("Hint", text)); });
     connect(&editor_, &SheetEditor::selectionChanged, this, [this] { canvas_->setSelection(editor_.selection()); });
     retranslateUi();
 }
@@ -129,6 +132,11 @@ void SheetTab::addPointOn(GripRef, Point at) {
     editor_.addPoint(at);
 }
 
+void SheetTab::insertPoint(Serial curve, Point at) {
+    activateCurve(curve);
+    editor_.insertPoint(curve, at);
+}
+
 void SheetTab::removePoint(GripRef grip) {
     if (grip.id.kind == GripKind::point)
         editor_.removePoints(grip.serial, {grip.id.index});
@@ -155,6 +163,17 @@ void SheetTab::beginDrag(GripRef grip) {
     editor_.beginDrag(grip);
 }
 
+void SheetTab::beginAddDrag(Point at) {
+    editor_.addPoint(at);
+    if (!editor_.selection().empty())
+        editor_.beginDrag(*editor_.selection().begin());
+}
+
+void SheetTab::beginCurveDrag(Serial curve, Point at) {
+    activateCurve(curve);
+    editor_.beginCurveDrag(curve, at);
+}
+
 void SheetTab::drag(Vector by, Qt::KeyboardModifiers) {
     editor_.drag(by);
 }
@@ -169,6 +188,10 @@ void SheetTab::cancelDrag() {
 
 void SheetTab::nudge(Vector by) {
     editor_.nudge(by);
+}
+
+void SheetTab::hover(const Hit& under, Point, Qt::KeyboardModifiers modifiers) {
+    Q_EMIT hintChanged(hintText(under, modifiers, canvas_->tool()));
 }
 
 } // namespace kriva::ui
