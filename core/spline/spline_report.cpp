@@ -1,7 +1,9 @@
 #include "core/spline/spline_report.h"
 
 #include "core/bezier/arc_length.h"
+#include "core/bezier/bending_energy.h"
 #include "core/bezier/bounds.h"
+#include "core/bezier/curvature_extrema.h"
 #include "core/figure/labels.h"
 #include "core/geometry/compensated_sum.h"
 
@@ -13,10 +15,44 @@ struct Measures {
     std::vector<double> lengths; ///< of the segments
     double length = 0;
     Box bounds;
+    int curvatureExtrema = 0;
+    std::optional<double> bendingEnergy; ///< nothing where it diverges
 };
 
+/// Whether the curvature turns from rising to falling or back where two segments meet with one curvature.
+bool isExtremum(Continuity continuity, std::span<const Point> arriving, std::span<const Point> leaving) {
+    if (continuity != Continuity::c2 && continuity != Continuity::g2)
+        return false;
+    const double before = curvatureSlope(arriving, 1).value_or(0);
+    const double after = curvatureSlope(leaving, 0).value_or(0);
+    return (before < 0 && after > 0) || (before > 0 && after < 0);
+}
+
+int countExtrema(const SplineChain& chain) {
+    const std::vector<Points>& segments = chain.segments;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        count += curvatureExtrema(segments[i]).size();
+        const Points& arriving = segments[(i + segments.size() - 1) % segments.size()];
+        count += isExtremum(chain.continuity[i], arriving, segments[i]) ? 1 : 0;
+    }
+    return static_cast<int>(count);
+}
+
+std::optional<double> addBendingEnergies(const SplineChain& chain) {
+    CompensatedSum sum;
+    for (const Points& segment : chain.segments) {
+        const std::optional<double> energy = bendingEnergy(segment);
+        if (!energy)
+            return {};
+        sum.add(*energy);
+    }
+    return sum.value();
+}
+
 Measures measure(const SplineCurve& curve) {
-    Measures measures{solveSpline(curve), {}, 0, {}};
+    Measures measures;
+    measures.chain = solveSpline(curve);
     CompensatedSum length;
     for (const Points& segment : measures.chain.segments) {
         measures.lengths.push_back(arcLength(segment));
@@ -24,6 +60,8 @@ Measures measure(const SplineCurve& curve) {
         measures.bounds = united(measures.bounds, tightBounds(segment));
     }
     measures.length = length.value();
+    measures.curvatureExtrema = countExtrema(measures.chain);
+    measures.bendingEnergy = addBendingEnergies(measures.chain);
     return measures;
 }
 
@@ -41,14 +79,18 @@ void reportCurve(JsonWriter& json, const SplineCurve& curve) {
     json.endList().key("knots").beginList();
     for (const Continuity continuity : measures.chain.continuity)
         json.beginObject().member("continuity", nameOf(continuity)).endObject();
-    json.endList();
+    json.endList()
+        .member("curvatureExtrema", measures.curvatureExtrema)
+        .member("bendingEnergy", measures.bendingEnergy);
 }
 
 std::vector<Result> results(const SplineCurve& curve) {
     const Measures measures = measure(curve);
     std::vector<Result> rows{{Caption::degree, "", curve.degree},
                              {Caption::length, "", measures.length},
-                             {Caption::bounds, "", measures.bounds}};
+                             {Caption::bounds, "", measures.bounds},
+                             {Caption::curvatureExtrema, "", measures.curvatureExtrema},
+                             {Caption::bendingEnergy, "", measures.bendingEnergy}};
     for (std::size_t i = 0; i < measures.lengths.size(); ++i) {
         const std::string index = decimal(static_cast<int>(i));
         rows.push_back({Caption::segmentLength, index, measures.lengths[i]});

@@ -31,6 +31,26 @@ TEST(SplineReport, tellsHowKnotsMeet) {
     EXPECT_THAT(report, HasSubstr(R"("knots": [{"continuity": "end"}, {"continuity": "C2"}, {"continuity": "end"}])"));
 }
 
+// One extremum where the two segments meet: the curvature rises up to the knot and falls behind it.
+TEST(SplineReport, countsExtremaAtKnotsOfOneCurvature) {
+    const SplineCurve arch = test::curveThrough(Rule::natural, {{0, 0}, {3, 3}, {6, 0}});
+    EXPECT_THAT(reportOf(arch), HasSubstr(R"("curvatureExtrema": 1)"));
+    EXPECT_THAT(reportOf(arch), HasSubstr(R"("bendingEnergy": 1.061081524)"));
+}
+
+TEST(SplineReport, countsTheExtremumAtTheFirstKnotOfAClosedChain) {
+    const Points square = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+    for (const Rule rule : {Rule::natural, Rule::catmullRom})
+        EXPECT_THAT(reportOf(test::curveThrough(rule, square, true)), HasSubstr(R"("curvatureExtrema": 8)"));
+}
+
+TEST(SplineReport, tellsNoBendingEnergyWhereItDiverges) {
+    SplineCurve cusp = test::curveThrough(Rule::mirror, {{0, 0}, {1, 0}});
+    cusp.knots[0] = test::heldKnot({0, 0}, SplineKnot::Join::corner, {}, Point{1, 1});
+    cusp.knots[1] = test::heldKnot({1, 0}, SplineKnot::Join::corner, Point{0, 1}, {});
+    EXPECT_THAT(reportOf(cusp), HasSubstr(R"("bendingEnergy": null)"));
+}
+
 TEST(SplineReport, saysNothingOfACurveStillBeingDrawn) {
     const std::string report = reportOf(test::curveThrough(Rule::natural, {{0, 0}, {3, 3}}, true));
     EXPECT_THAT(report, HasSubstr(R"("incomplete": true)"));
