@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/combined/combined_sheet.h"
 #include "core/elevation/elevation_sheet.h"
 #include "core/spline/spline_sheet.h"
 #include "core/subdivision/subdivision_sheet.h"
@@ -9,7 +10,7 @@
 namespace kriva {
 
 /// A curve of any sheet. The order of its kinds is the order of the sheets; a further sheet is one more kind here.
-using Curve = std::variant<ElevationCurve, SubdivisionCurve, SplineCurve>;
+using Curve = std::variant<ElevationCurve, SubdivisionCurve, SplineCurve, CombinedCurve>;
 
 /// Which sheet: the index of its kind of curve.
 using SheetIndex = std::size_t;

@@ -27,6 +27,11 @@ enum class Caption {
     knots,
     handles,
     endDerivatives,
+    givenPolygon,
+    runs,
+    joins,
+    middlePoints,
+    runNumbers,
     // results
     degree,
     length,
@@ -41,6 +46,13 @@ enum class Caption {
     continuity,    ///< by knot
     curvatureExtrema,
     bendingEnergy,
+    runPoints, ///< by run, first and last
+    runDegree,
+    runCoefficients,
+    rms,
+    maxError,
+    largestKink,
+    slopeVariation,
     incomplete,
 };
 

@@ -1,5 +1,7 @@
 #include "core/polynomial/absolute_integral.h"
 
+#include "core/polynomial/casteljau.h"
+
 #include <cmath>
 #include <utility>
 
@@ -28,17 +30,11 @@ Enclosed enclose(BernsteinPiece piece) {
     return {std::move(piece), std::abs(sum) * scale, absolute * scale};
 }
 
-/// Leaves the right half in the piece and returns the left one (de Casteljau's scheme at 1/2).
+/// Leaves the right half in the piece and returns the left one.
 BernsteinPiece cutLeftHalf(BernsteinPiece& piece) {
-    std::vector<double>& c = piece.coefficients;
     piece.width /= 2;
-    BernsteinPiece left{{}, piece.width};
-    left.coefficients.reserve(c.size());
-    for (std::size_t last = c.size(); last-- > 0;) {
-        left.coefficients.push_back(c[0]);
-        for (std::size_t i = 0; i < last; ++i)
-            c[i] = (c[i] + c[i + 1]) / 2;
-    }
+    BernsteinPiece left{std::vector<double>(piece.coefficients.size()), piece.width};
+    splitInPlace<double>(piece.coefficients, left.coefficients, 0.5);
     return left;
 }
 

@@ -64,6 +64,18 @@ void removePolynomial(Column& values, const Column& places, int degree) {
     }
 }
 
+/// Sets to zero what only the roundings of the work left, so that points on a polynomial have no residuals.
+void clearNoise(Column& residuals, std::span<const Point> points) {
+    // Some 14 bits above the unit of double-double arithmetic, 37 below a rounding of the largest value.
+    constexpr double kNoise = 0x1p-90;
+    double largest = 0;
+    for (const Point p : points)
+        largest = std::max(largest, std::abs(p.y));
+    for (DoubleDouble& residual : residuals)
+        if (std::abs(residual.high) <= kNoise * largest)
+            residual = 0;
+}
+
 /// Indices of points, the first one farthest out, each further one with the largest product of distances to those
 /// before it: Leja's order, in which Newton's form is stable (Reichel, Newton interpolation at Leja points, BIT 30,
 /// 1990).
@@ -116,6 +128,7 @@ Fit fitLeastSquares(std::span<const Point> points, int degree) {
     for (const Point p : points)
         residuals.emplace_back(p.y);
     removePolynomial(residuals, places, degree);
+    clearNoise(residuals, points);
 
     Fit fit;
     std::vector<double> nodes;

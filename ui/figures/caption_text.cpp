@@ -81,6 +81,30 @@ class Captions {
             return tr("Extrema of the curvature");
         case Caption::bendingEnergy:
             return tr("Bending energy");
+        case Caption::givenPolygon:
+            return tr("Polygon of the given points");
+        case Caption::runs:
+            return tr("Monotone runs");
+        case Caption::joins:
+            return tr("Joins");
+        case Caption::middlePoints:
+            return tr("Middle points of pairs");
+        case Caption::runNumbers:
+            return tr("Numbers of runs");
+        case Caption::runPoints:
+            return tr("Points of run");
+        case Caption::runDegree:
+            return tr("Degree of run");
+        case Caption::runCoefficients:
+            return tr("Coefficients of run");
+        case Caption::rms:
+            return tr("Residual (root mean square) of run");
+        case Caption::maxError:
+            return tr("Largest residual of run");
+        case Caption::largestKink:
+            return tr("Largest kink");
+        case Caption::slopeVariation:
+            return tr("Slope variation");
         case Caption::incomplete:
             return tr("This curve needs more points");
         }

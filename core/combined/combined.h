@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/combined/combined_curve.h"
+#include "core/combined/combined_run.h"
+
+namespace kriva {
+
+struct CombinedJoin {
+    int afterRun = 0;
+    bool isQuadratic = false; ///< otherwise cubic
+    Points points;
+};
+
+/// One Bézier curve of the path.
+struct PathPiece {
+    enum class Kind { run, pair, join };
+    Kind kind = Kind::run;
+    int index = 0; ///< of the run, of the pair's first point, or of the join
+    TangentPiece curve;
+};
+
+struct Combined {
+    std::vector<CombinedRun> runs;
+    std::vector<CombinedJoin> joins;
+    std::vector<PathPiece> path; ///< in drawing order
+};
+
+/// The curve must be complete. Linear in the points, with 201 of them in one run under interpolation some 0.1 s.
+[[nodiscard]] Combined combine(const CombinedCurve& curve);
+
+/// What a pair is bent by: the middle point of its quadratic, or the point where its two quadratics meet.
+struct PairMiddle {
+    int pair = 0; ///< its first point
+    Point at;
+};
+
+/// Those of all pairs, in drawing order; empty but under Method::pairs.
+[[nodiscard]] std::vector<PairMiddle> pairMiddles(const Combined& combined);
+
+} // namespace kriva

@@ -1,0 +1,157 @@
+#include "core/combined/combined_edits.h"
+
+#include "core/bezier/nearest.h"
+#include "core/combined/combined.h"
+#include "core/document/limits.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+namespace kriva {
+namespace {
+
+/// So near to its ends a pair can hardly be pulled: its middle point would have to move too far.
+constexpr double kLeastT = 1e-2;
+
+/// The corrections of pairs that are still pairs under a map: both points there, and next to each other.
+std::map<int, Point> followed(const std::map<int, Point>& corrections, const IndexMap& map) {
+    std::map<int, Point> kept;
+    for (const auto& [pair, middle] : corrections) {
+        const int first = map(pair);
+        const int second = map(pair + 1);
+        if (first != IndexMap::kGone && second != IndexMap::kGone && std::abs(first - second) == 1)
+            kept.emplace(std::min(first, second), middle);
+    }
+    return kept;
+}
+
+bool isWithinLimits(Point p) {
+    return std::abs(p.x) <= limits::kNumber && std::abs(p.y) <= limits::kNumber;
+}
+
+/// Middle points beyond the limit of numbers are no grips: they could not be kept as corrections.
+std::vector<Grip> middleGrips(const CombinedCurve& curve) {
+    std::vector<Grip> grips;
+    if (curve.method != CombinedCurve::Method::pairs || isIncomplete(curve))
+        return grips;
+    for (const PairMiddle& middle : pairMiddles(combine(curve)))
+        if (isWithinLimits(middle.at))
+            grips.push_back({{GripKind::middle, middle.pair}, middle.at});
+    return grips;
+}
+
+bool hasPair(const CombinedCurve& curve, int pair) {
+    return pair >= 0 && static_cast<std::size_t>(pair) + 1 < curve.points.size();
+}
+
+} // namespace
+
+std::vector<Grip> grips(const CombinedCurve& curve) {
+    std::vector<Grip> all = pointGrips(curve.points);
+    const std::vector<Grip> middles = middleGrips(curve);
+    all.insert(all.end(), middles.begin(), middles.end());
+    return all;
+}
+
+std::size_t mostPoints(const CombinedCurve& curve) {
+    if (curve.method != CombinedCurve::Method::interpolation)
+        return limits::kPointsInCurve;
+    const std::vector<MonotoneRun> runs = monotoneRuns(curve.points);
+    const bool isTooLong =
+        std::ranges::any_of(runs, [](const MonotoneRun& run) { return run.size() > limits::kControlPoints; });
+    return isTooLong ? limits::kControlPoints : limits::kPointsInCurve;
+}
+
+CombinedCurve withGripsMoved(const CombinedCurve& curve, std::span<const GripId> ids, Vector by) {
+    CombinedCurve moved = curve;
+    moved.points = withPointsMoved(curve.points, ids, by);
+    if (std::ranges::none_of(ids, [](const GripId& id) { return id.kind == GripKind::middle; }))
+        return moved;
+    for (const Grip& grip : middleGrips(curve))
+        if (std::ranges::find(ids, grip.id) != ids.end())
+            moved.corrections[grip.id.index] = grip.at + by;
+    return moved;
+}
+
+Edited<CombinedCurve> withPointAdded(const CombinedCurve& curve, Point at) {
+    return withPointInserted(curve, static_cast<int>(curve.points.size()), at);
+}
+
+Edited<CombinedCurve> withPointsRemoved(const CombinedCurve& curve, const std::vector<int>& indices) {
+    Edited<CombinedCurve> edited{curve, mapWithout(static_cast<int>(curve.points.size()), indices)};
+    edited.curve.points = without(curve.points, indices);
+    edited.curve.corrections = followed(curve.corrections, edited.map);
+    return edited;
+}
+
+Edited<CombinedCurve> reversed(const CombinedCurve& curve) {
+    Edited<CombinedCurve> edited{curve, mapReversed(static_cast<int>(curve.points.size()))};
+    std::reverse(edited.curve.points.begin(), edited.curve.points.end());
+    edited.curve.corrections = followed(curve.corrections, edited.map);
+    return edited;
+}
+
+Edited<CombinedCurve> withPointInserted(const CombinedCurve& curve, int index, Point at) {
+    const int count = static_cast<int>(curve.points.size());
+    assert(index >= 0 && index <= count);
+    Edited<CombinedCurve> edited{curve, mapWithInserted(count, index)};
+    edited.curve.points.insert(edited.curve.points.begin() + index, at);
+    edited.curve.corrections = followed(curve.corrections, edited.map);
+    return edited;
+}
+
+CombinedCurve withCorrection(const CombinedCurve& curve, int pair, std::optional<Point> middle) {
+    assert(hasPair(curve, pair));
+    CombinedCurve corrected = curve;
+    if (middle)
+        corrected.corrections[pair] = *middle;
+    else
+        corrected.corrections.erase(pair);
+    return corrected;
+}
+
+CombinedCurve withPairThrough(const CombinedCurve& curve, int pair, double t, Point place) {
+    assert(hasPair(curve, pair) && t > 0 && t < 1);
+    const Point start = curve.points[static_cast<std::size_t>(pair)];
+    const Point end = curve.points[static_cast<std::size_t>(pair) + 1];
+    const Vector fromStart = (place - start) - t * t * (end - start);
+    return withCorrection(curve, pair, start + fromStart / (2 * t * (1 - t)));
+}
+
+std::optional<Edited<CombinedCurve>> withPointInserted(const CombinedCurve& curve, Point near) {
+    std::optional<int> index;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < curve.points.size(); ++i) {
+        const double away = nearest(std::span(curve.points).subspan(i - 1, 2), near).distance;
+        if (away >= least)
+            continue;
+        least = away;
+        index = static_cast<int>(i);
+    }
+    if (!index)
+        return {};
+    return withPointInserted(curve, *index, near);
+}
+
+std::optional<CombinedCurve> withCurvePulled(const CombinedCurve& curve, Point from, Vector by) {
+    if (curve.method != CombinedCurve::Method::pairs || isIncomplete(curve))
+        return {};
+    const Combined combined = combine(curve);
+    const PathPiece* pulledPiece = nullptr;
+    NearestPoint place;
+    place.distance = std::numeric_limits<double>::infinity();
+    for (const PathPiece& piece : combined.path) {
+        const NearestPoint found = nearest(piece.curve.points, from);
+        if (found.distance >= place.distance)
+            continue;
+        place = found;
+        pulledPiece = &piece;
+    }
+    const bool isPair = pulledPiece && pulledPiece->kind == PathPiece::Kind::pair;
+    if (!isPair || place.t < kLeastT || place.t > 1 - kLeastT)
+        return {};
+    return withPairThrough(curve, pulledPiece->index, place.t, place.at + by);
+}
+
+} // namespace kriva

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/combined/combined_curve.h"
+#include "core/document/edited.h"
+#include "core/document/grip.h"
+
+#include <optional>
+
+/// The edits of a combined curve. Every sheet's curve has the same set, found by overloading; what follows that set is
+/// this sheet's own. Corrections follow their pairs; those of pairs that an edit takes apart are dropped.
+namespace kriva {
+
+/// Everything that can be dragged: the points, in their order, then under Method::pairs the middle points of pairs; of
+/// a pair of two quadratics, the point where these meet.
+[[nodiscard]] std::vector<Grip> grips(const CombinedCurve& curve);
+
+/// The points of the Points table.
+[[nodiscard]] inline std::size_t pointCount(const CombinedCurve& curve) {
+    return curve.points.size();
+}
+/// How many points its results hold that are limited over the whole sheet: none.
+[[nodiscard]] inline std::size_t derivedPointCount(const CombinedCurve&) {
+    return 0;
+}
+/// The most points that this curve may have. Under interpolation it has too many where one run has.
+[[nodiscard]] std::size_t mostPoints(const CombinedCurve& curve);
+
+/// All the named grips moved by the same vector; grips that do not exist are passed over. A middle point that is moved
+/// becomes a correction; those of moved points stay where they are.
+[[nodiscard]] CombinedCurve withGripsMoved(const CombinedCurve& curve, std::span<const GripId> ids, Vector by);
+[[nodiscard]] Edited<CombinedCurve> withPointAdded(const CombinedCurve& curve, Point at);
+/// `indices` ascending.
+[[nodiscard]] Edited<CombinedCurve> withPointsRemoved(const CombinedCurve& curve, const std::vector<int>& indices);
+/// The same points from the other end. Runs keep their turning points in the new order, so the curve may change.
+[[nodiscard]] Edited<CombinedCurve> reversed(const CombinedCurve& curve);
+
+/// A new point before the point `index`; at the end where there is no such point.
+[[nodiscard]] Edited<CombinedCurve> withPointInserted(const CombinedCurve& curve, int index, Point at);
+/// The pair that starts at the point `pair` with this middle point, or with nothing with its own.
+[[nodiscard]] CombinedCurve withCorrection(const CombinedCurve& curve, int pair, std::optional<Point> middle);
+/// The pair that starts at the point `pair` as the quadratic that passes through a place at its parameter t, strictly
+/// between 0 and 1.
+[[nodiscard]] CombinedCurve withPairThrough(const CombinedCurve& curve, int pair, double t, Point place);
+
+/// One more given point at `near`, between the two whose connecting line it is nearest to; nothing below two points.
+/// The polynomials are fitted anew, so that the shape changes a little.
+[[nodiscard]] std::optional<Edited<CombinedCurve>> withPointInserted(const CombinedCurve& curve, Point near);
+/// Under Method::pairs, the pair nearest to `from` pulled there by its middle point, which becomes a correction;
+/// nothing where another piece is nearer, or under another method.
+[[nodiscard]] std::optional<CombinedCurve> withCurvePulled(const CombinedCurve& curve, Point from, Vector by);
+
+} // namespace kriva

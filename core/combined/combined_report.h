@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/combined/combined_curve.h"
+#include "core/document/json_writer.h"
+#include "core/document/results.h"
+
+namespace kriva {
+
+/// How many segments its report lists: they are limited over the whole sheet. Only splines have any.
+[[nodiscard]] inline std::size_t reportedSegments(const CombinedCurve&) {
+    return 0;
+}
+/// The members of a complete curve in the report, after its name.
+void reportCurve(JsonWriter& json, const CombinedCurve& curve);
+/// The same numbers as rows for people.
+[[nodiscard]] std::vector<Result> results(const CombinedCurve& curve);
+
+} // namespace kriva

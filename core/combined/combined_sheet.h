@@ -1,0 +1,8 @@
+#pragma once
+
+// All that the sheet `combined` brings to the document.
+#include "core/combined/combined_curve.h"
+#include "core/combined/combined_edits.h"
+#include "core/combined/combined_figure.h"
+#include "core/combined/combined_json.h"
+#include "core/combined/combined_report.h"

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/geometry/point.h"
+#include "core/polynomial/double_double.h"
+
+#include <optional>
+
+namespace kriva {
+
+/// A direction of length 1 in double-double arithmetic: a middle point may lie 1e9 times farther than the tangents
+/// that meet there differ.
+struct Tangent {
+    DoubleDouble x;
+    DoubleDouble y;
+
+    [[nodiscard]] Vector vector() const { return {x.high, y.high}; }
+};
+
+/// The tangent of a graph with this slope, drawn to the right (direction 1) or to the left (-1).
+[[nodiscard]] Tangent tangentOf(const DoubleDouble& slope, int direction);
+
+/// One end of a curve that is to be joined to another.
+struct CurveEnd {
+    double x = 0;
+    DoubleDouble y;
+    std::optional<Tangent> tangent; ///< along the drawing direction; a single point has none
+
+    [[nodiscard]] Point point() const { return {x, y.high}; }
+};
+
+/// A Bézier curve together with its end tangents, which its rounded control points may tell less exactly.
+struct TangentPiece {
+    Points points;
+    Vector startTangent;
+    Vector endTangent;
+};
+
+/// The point where the two tangents meet, the middle point of the quadratic that joins the ends; nothing where they
+/// are parallel, or it lies behind an end or too far away (format.md, combined). The ends are different places.
+/// Source: Rossinsky, Kravchenko, Combined algorithm for constructing curves of arbitrary form (2014), (12) and (13).
+[[nodiscard]] std::optional<Point> quadraticMiddle(const CurveEnd& from, const CurveEnd& to);
+
+/// What joins two neighbouring runs: the quadratic, else a cubic. A single point has the direction from end to end.
+[[nodiscard]] TangentPiece joinOf(const CurveEnd& from, const CurveEnd& to);
+
+/// What joins two neighbouring points of a run: the quadratic, else two that meet halfway between their middle points.
+/// Both ends have tangents.
+[[nodiscard]] std::vector<TangentPiece> pairOf(const CurveEnd& from, const CurveEnd& to);
+
+} // namespace kriva

@@ -1,0 +1,54 @@
+#include "core/combined/combined_report.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace kriva {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string reportOf(const CombinedCurve& curve) {
+    JsonWriter json(JsonWriter::Digits::shortest, 0);
+    json.beginObject();
+    reportCurve(json, curve);
+    json.endObject();
+    return std::move(json).take();
+}
+
+TEST(CombinedReport, tellsRunsJoinsAndPath) {
+    CombinedCurve curve;
+    curve.points = {{0, 0}, {1, 1}, {2, 2}, {1, 4}, {0, 5}};
+    curve.degree = 1;
+    const std::string report = reportOf(curve);
+    EXPECT_THAT(report, HasSubstr(R"("bounds": [0, 0, 2.125, 5])"));
+    EXPECT_THAT(report, HasSubstr(R"({"first": 3, "last": 4, "direction": -1, "degree": 1, "basis": "power", "nodes": [], )"
+                                  R"("coefficients": [5, -1], "rms": 0, "maxError": 0, "start": [1, 4], "end": [0, 5], )"
+                                  R"("startSlope": -1, "endSlope": -1})"));
+    EXPECT_THAT(report, HasSubstr(R"({"afterRun": 0, "kind": "quadratic", "points": [[2, 2], [2.5, 2.5], [1, 4]]})"));
+    EXPECT_THAT(report, HasSubstr(R"("path": [[[0, 0], [2, 2]], [[2, 2], [2.5, 2.5], [1, 4]], [[1, 4], [0, 5]]])"));
+    EXPECT_THAT(report, HasSubstr(R"("slopeVariation": 0})"));
+}
+
+TEST(CombinedReport, hasNoSlopesAtASinglePoint) {
+    CombinedCurve curve;
+    curve.points = {{3, 4}};
+    EXPECT_THAT(reportOf(curve), HasSubstr(R"("start": [3, 4], "end": [3, 4], "startSlope": null, "endSlope": null})"));
+    EXPECT_THAT(reportOf(curve), HasSubstr(R"("joins": [], "path": [], "largestKink": 0, "bendingEnergy": 0)"));
+}
+
+TEST(CombinedReport, tellsPeopleEveryRun) {
+    CombinedCurve curve;
+    curve.points = {{0, 0}, {1, 1}, {0, 3}};
+    const std::vector<Result> rows = results(curve);
+    const auto isOf = [](Caption caption, std::string_view index) {
+        return [=](const Result& row) { return row.caption == caption && row.index == index; };
+    };
+    EXPECT_EQ(std::ranges::count_if(rows, isOf(Caption::runCoefficients, "0")), 1);
+    EXPECT_EQ(std::ranges::count_if(rows, isOf(Caption::runCoefficients, "1")), 1);
+    EXPECT_EQ(std::ranges::count_if(rows, isOf(Caption::runCoefficients, "2")), 0);
+}
+
+} // namespace
+} // namespace kriva
