@@ -1,0 +1,171 @@
+#include "app/commands/command_line.h"
+
+#include <QCoreApplication>
+#include <QMap>
+
+namespace kriva::app {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+/// Arguments sorted into words and options; thrown apart before any of them is understood.
+struct Words {
+    QStringList plain;
+    QMap<QString, QString> options; ///< by long name, with their values
+    QString fault;                  ///< a sentence; empty where there is none
+};
+
+class CommandLine {
+    Q_DECLARE_TR_FUNCTIONS(CommandLine)
+  public:
+    [[nodiscard]] static Words sorted(const QStringList& arguments);
+    [[nodiscard]] static Request understood(Words words);
+    [[nodiscard]] static QString help();
+
+  private:
+    [[nodiscard]] static Request exported(const Words& words);
+    [[nodiscard]] static Request reported(const Words& words);
+    [[nodiscard]] static QString faultOf(const Words& words);
+    [[nodiscard]] static QString faultOfOptions(const Words& words, const QStringList& allowed);
+};
+
+bool takesValue(const QString& option) {
+    return QStringList{u"output"_s, u"sheet"_s, u"format"_s, u"language"_s}.contains(option);
+}
+
+bool isKnown(const QString& option) {
+    return takesValue(option) || option == u"help" || option == u"version";
+}
+
+/// "--sheet" and "--sheet=spline" are "sheet", "-o" is "output".
+QString longName(const QString& argument) {
+    if (argument.startsWith(u"--"))
+        return argument.sliced(2).section(u'=', 0, 0);
+    const QMap<QString, QString> shortNames{{u"-o"_s, u"output"_s}, {u"-h"_s, u"help"_s}, {u"-v"_s, u"version"_s}};
+    return shortNames.value(argument, argument);
+}
+
+std::optional<SheetIndex> sheetOf(const Words& words) {
+    return sheetNamed(words.options.value(u"sheet"_s).toStdString());
+}
+
+Words CommandLine::sorted(const QStringList& arguments) {
+    Words words;
+    for (qsizetype i = 0; i < arguments.size() && words.fault.isEmpty(); ++i) {
+        const QString& argument = arguments[i];
+        if (argument == u"--") {
+            words.plain += arguments.sliced(i + 1);
+            break;
+        }
+        if (!argument.startsWith(u'-') || argument.size() == 1) {
+            words.plain += argument;
+            continue;
+        }
+        const QString option = longName(argument);
+        const bool holdsValue = argument.startsWith(u"--") && argument.contains(u'=');
+        if (!isKnown(option) || (holdsValue && !takesValue(option)))
+            words.fault = tr("unknown option %1").arg(argument);
+        else if (holdsValue)
+            words.options.insert(option, argument.section(u'=', 1));
+        else if (!takesValue(option))
+            words.options.insert(option, QString());
+        else if (i + 1 == arguments.size())
+            words.fault = tr("a value is missing behind %1").arg(argument);
+        else
+            words.options.insert(option, arguments[++i]);
+    }
+    return words;
+}
+
+QString CommandLine::faultOf(const Words& words) {
+    if (!words.fault.isEmpty())
+        return words.fault;
+    const QString language = words.options.value(u"language"_s, u"en"_s);
+    if (!ui::languageOf(language))
+        return tr("unknown language %1").arg(language);
+    if (words.options.contains(u"sheet"_s) && !sheetOf(words))
+        return tr("there is no sheet %1").arg(words.options.value(u"sheet"_s));
+    return {};
+}
+
+QString CommandLine::faultOfOptions(const Words& words, const QStringList& allowed) {
+    for (auto option = words.options.keyBegin(); option != words.options.keyEnd(); ++option)
+        if (*option != u"language" && !allowed.contains(*option))
+            return tr("the option --%1 does not belong here").arg(*option);
+    return {};
+}
+
+Request CommandLine::exported(const Words& words) {
+    if (const QString fault = faultOfOptions(words, {u"output"_s, u"sheet"_s}); !fault.isEmpty())
+        return UsageError{fault};
+    if (words.plain.size() != 1)
+        return UsageError{tr("export needs one file")};
+    const QString output = words.options.value(u"output"_s);
+    if (output.isEmpty())
+        return UsageError{tr("export needs the file to write: -o OUT.svg")};
+    if (!output.endsWith(u".svg", Qt::CaseInsensitive))
+        return UsageError{tr("%1: figures are written as .svg").arg(output)};
+    return ExportRequest{words.plain.first(), output, sheetOf(words)};
+}
+
+Request CommandLine::reported(const Words& words) {
+    if (const QString fault = faultOfOptions(words, {u"format"_s, u"sheet"_s}); !fault.isEmpty())
+        return UsageError{fault};
+    if (words.plain.size() != 1)
+        return UsageError{tr("report needs one file")};
+    const QString format = words.options.value(u"format"_s, u"text"_s);
+    if (format != u"json" && format != u"text")
+        return UsageError{tr("there is no format %1").arg(format)};
+    return ReportRequest{words.plain.first(), format == u"json", sheetOf(words)};
+}
+
+Request CommandLine::understood(Words words) {
+    if (words.options.contains(u"help"_s))
+        return HelpRequest{};
+    if (words.options.contains(u"version"_s))
+        return VersionRequest{};
+    if (const QString fault = faultOf(words); !fault.isEmpty())
+        return UsageError{fault};
+    const QString command = words.plain.value(0);
+    if (command == u"export" || command == u"report") {
+        words.plain.removeFirst();
+        return command == u"export" ? exported(words) : reported(words);
+    }
+    if (const QString fault = faultOfOptions(words, {}); !fault.isEmpty())
+        return UsageError{fault};
+    return EditorRequest{words.plain};
+}
+
+QString CommandLine::help() {
+    return tr("kriva [FILE...]\n"
+              "    opens the editor\n"
+              "kriva export FILE -o OUT.svg [--sheet NAME]\n"
+              "    draws a sheet: the one named, else the one that was shown when the document was saved\n"
+              "kriva report FILE [--format json|text] [--sheet NAME]\n"
+              "    prints the numbers of a document\n"
+              "\n"
+              "    --language CODE   en, bg, sl or uk; else the language of the system\n"
+              "    --sheet NAME      elevation, subdivision, spline or combined\n"
+              "    --help            this text\n"
+              "    --version         the version\n"
+              "\n"
+              "Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.\n");
+}
+
+} // namespace
+
+Request parseCommandLine(const QStringList& arguments) {
+    return CommandLine::understood(CommandLine::sorted(arguments));
+}
+
+ui::Language languageAskedFor(const QStringList& arguments) {
+    const QString code = CommandLine::sorted(arguments).options.value(u"language"_s);
+    return ui::languageOf(code).value_or(ui::systemLanguage());
+}
+
+QString helpText() {
+    return CommandLine::help();
+}
+
+} // namespace kriva::app

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/document/document.h"
+#include "ui/shell/language.h"
+
+#include <QStringList>
+
+#include <optional>
+#include <variant>
+
+namespace kriva::app {
+
+struct EditorRequest {
+    QStringList files;
+};
+struct ExportRequest {
+    QString file;
+    QString output;
+    std::optional<SheetIndex> sheet;
+};
+struct ReportRequest {
+    QString file;
+    bool isJson = false;
+    std::optional<SheetIndex> sheet;
+};
+struct HelpRequest {};
+struct VersionRequest {};
+struct UsageError {
+    QString sentence;
+};
+
+using Request = std::variant<EditorRequest, ExportRequest, ReportRequest, HelpRequest, VersionRequest, UsageError>;
+
+/// What is asked for; `arguments` begin behind the name of the program. Sentences are in the present language.
+[[nodiscard]] Request parseCommandLine(const QStringList& arguments);
+
+/// The language of `--language`, which is looked for before anything is said; that of the system where it is missing
+/// or unknown (which parseCommandLine tells).
+[[nodiscard]] ui::Language languageAskedFor(const QStringList& arguments);
+
+/// The text of `--help`.
+[[nodiscard]] QString helpText();
+
+} // namespace kriva::app

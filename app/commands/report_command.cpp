@@ -1,0 +1,80 @@
+#include "app/commands/report_command.h"
+
+#include "core/document/report.h"
+#include "ui/document/document_file.h"
+#include "ui/document/error_text.h"
+#include "ui/figures/caption_text.h"
+#include "ui/panels/result_text.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace kriva::app {
+namespace {
+
+/// Enough for people; the JSON has them all.
+constexpr int kDigits = 10;
+
+QString curveTitle(const Curve& curve, std::size_t index) {
+    QString title = QStringLiteral("%1 %2").arg(ui::captionText(Caption::curve)).arg(index);
+    if (!nameOf(curve).empty())
+        title += QStringLiteral(": ") + printable(QString::fromStdString(nameOf(curve)));
+    return title;
+}
+
+/// Rows of two columns, the second one straight below itself.
+QString table(const std::vector<Result>& results) {
+    qsizetype width = 0;
+    for (const Result& result : results)
+        width = std::max(width, ui::resultName(result).size());
+    QString text;
+    for (const Result& result : results) {
+        const QString name = ui::resultName(result).leftJustified(width);
+        text += QStringLiteral("    %1  %2\n").arg(name, ui::resultValue(result, kDigits));
+    }
+    return text;
+}
+
+QString sheetTable(const Sheet& sheet, SheetIndex index) {
+    QString text = ui::captionText(captionOf(index)) + QLatin1Char('\n');
+    for (std::size_t i = 0; i < sheet.curves.size(); ++i) {
+        const Curve& curve = sheet.curves[i];
+        text += QStringLiteral("  %1\n").arg(curveTitle(curve, i));
+        text += isIncomplete(curve) ? QStringLiteral("    %1\n").arg(ui::captionText(Caption::incomplete))
+                                    : table(results(curve));
+    }
+    return text;
+}
+
+} // namespace
+
+QString reportTable(const Document& document, std::optional<SheetIndex> only) {
+    QStringList parts;
+    if (!document.title.empty())
+        parts += printable(QString::fromStdString(document.title)) + QLatin1Char('\n');
+    for (SheetIndex index = 0; index < kSheetCount; ++index)
+        if (only.value_or(index) == index && !document.sheets[index].curves.empty())
+            parts += sheetTable(document.sheets[index], index);
+    return parts.join(QLatin1Char('\n'));
+}
+
+ExitCode report(const ReportRequest& request) {
+    const auto loaded = ui::loadDocument(request.file);
+    if (const ui::OpenError* error = std::get_if<ui::OpenError>(&loaded)) {
+        printError(errorText(*error, request.file));
+        return ExitCode::refused;
+    }
+    const Document& document = std::get<Document>(loaded);
+    if (const std::optional<FileError> error = reportLimitError(document, request.sheet)) {
+        printError(errorText(ui::OpenError(*error), request.file));
+        return ExitCode::refused;
+    }
+    if (!request.isJson)
+        return printOut(reportTable(document, request.sheet).toUtf8());
+    const std::string name = QFileInfo(request.file).fileName().toStdString();
+    const auto json = reportJson(document, name, request.sheet);
+    return printOut(QByteArray::fromStdString(std::get<std::string>(json)));
+}
+
+} // namespace kriva::app

@@ -1,0 +1,63 @@
+#include "app/commands/command_line.h"
+#include "app/commands/export_command.h"
+#include "app/commands/report_command.h"
+
+#include <QApplication>
+#include <QHashSeed>
+
+namespace kriva::app {
+namespace {
+
+class Program {
+    Q_DECLARE_TR_FUNCTIONS(CommandLine)
+  public:
+    static QString noDisplay() { return tr("the editor needs a display; export and report do without one"); }
+    static QString seeHelp(const QString& fault) { return tr("%1; kriva --help tells more").arg(fault); }
+};
+
+/// What the command line asks for, done; nothing where it asks for the editor.
+struct Answer {
+    ExitCode operator()(const HelpRequest&) const { return printOut(helpText().toUtf8()); }
+    ExitCode operator()(const VersionRequest&) const {
+        return printOut(QStringLiteral("kriva %1\n").arg(QCoreApplication::applicationVersion()).toUtf8());
+    }
+    ExitCode operator()(const UsageError& error) const {
+        printError(Program::seeHelp(error.sentence));
+        return ExitCode::usage;
+    }
+    ExitCode operator()(const ExportRequest& request) const { return exportFigure(request); }
+    ExitCode operator()(const ReportRequest& request) const { return report(request); }
+    std::optional<ExitCode> operator()(const EditorRequest&) const { return std::nullopt; }
+};
+
+/// Everything but the editor, which needs another kind of application: what came of it, and for the editor the
+/// sentence for want of a display in the language asked for.
+std::optional<ExitCode> runCommand(int argc, char** argv, EditorRequest& editor) {
+    endWithoutDisplay({}); // and nothing of Qt's own about the locale
+    const QCoreApplication application(argc, argv);
+    logToTerminal();
+    const QStringList arguments = QCoreApplication::arguments().sliced(1);
+    const ui::LanguageSwitch language(languageAskedFor(arguments));
+    const Request request = parseCommandLine(arguments);
+    if (const EditorRequest* asked = std::get_if<EditorRequest>(&request)) {
+        editor = *asked;
+        endWithoutDisplay(Program::noDisplay());
+    }
+    return std::visit([](const auto& r) { return std::optional<ExitCode>(Answer()(r)); }, request);
+}
+
+} // namespace
+} // namespace kriva::app
+
+int main(int argc, char** argv) {
+    using namespace kriva::app;
+    QHashSeed::setDeterministicGlobalSeed(); // so that two exports of one figure are the same bytes
+    QCoreApplication::setApplicationName(QStringLiteral("kriva"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(KRIVA_VERSION));
+    EditorRequest editor;
+    if (const std::optional<ExitCode> code = runCommand(argc, argv, editor))
+        return static_cast<int>(*code);
+    const QApplication application(argc, argv);
+    logToTerminal();
+    return QApplication::exec();
+}
