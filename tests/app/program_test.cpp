@@ -1,0 +1,171 @@
+#include "app/commands/terminal.h"
+#include "ui/document/document_file.h"
+
+#include <gtest/gtest.h>
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include <sys/stat.h>
+
+namespace kriva::app {
+namespace {
+
+struct Outcome {
+    int code = -1;
+    QByteArray out;
+    QByteArray error;
+};
+
+constexpr const char* kArch = R"({"format":"kriva","version":1,"active":"subdivision","sheets":{"elevation":{"curves":[
+    {"name":"arch","points":[[0,0],[1,2],[3,2],[4,0.5]],"times":3}]}}})";
+
+/// Runs the program as a person does, in a folder of its own and without a display.
+class Program : public testing::Test {
+  protected:
+    void SetUp() override { write("arch.kriva", kArch); }
+
+    [[nodiscard]] QString path(const QString& name) const { return folder_.filePath(name); }
+    void write(const char* name, const QByteArray& bytes) const {
+        EXPECT_FALSE(ui::safeWrite(path(QString::fromUtf8(name)), bytes));
+    }
+    [[nodiscard]] QByteArray read(const char* name) const {
+        QFile file(path(QString::fromUtf8(name)));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    [[nodiscard]] Outcome run(const QStringList& arguments, const QString& output = {}) const {
+        QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+            environment.remove(QString::fromUtf8(name));
+        process.setProcessEnvironment(environment);
+        process.setWorkingDirectory(folder_.path());
+        if (!output.isEmpty())
+            process.setStandardOutputFile(output);
+        process.start(QStringLiteral(KRIVA_PROGRAM), arguments);
+        EXPECT_TRUE(process.waitForFinished(60'000)) << "it hangs";
+        EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
+        return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+    }
+    [[nodiscard]] Outcome run(const char* line, const QString& output = {}) const {
+        return run(QString::fromUtf8(line).split(QLatin1Char(' ')) << QStringLiteral("--language=en"), output);
+    }
+
+  private:
+    QTemporaryDir folder_;
+};
+
+void expectOneLine(const Outcome& outcome, ExitCode code, const char* line) {
+    EXPECT_EQ(outcome.code, static_cast<int>(code));
+    EXPECT_EQ(outcome.out, QByteArray());
+    EXPECT_EQ(outcome.error, QByteArray(line) + '\n');
+}
+
+TEST_F(Program, tellsItsVersionAndItsUse) {
+    EXPECT_EQ(run("--version").out.left(6), "kriva ");
+    const Outcome help = run("--help");
+    EXPECT_EQ(help.code, 0);
+    EXPECT_TRUE(help.out.contains("kriva export FILE -o OUT.svg"));
+    EXPECT_EQ(help.error, "");
+}
+
+TEST_F(Program, refusesWrongUsageWithOneLine) {
+    expectOneLine(run("report arch.kriva --foo"), ExitCode::usage,
+                  "kriva: unknown option --foo; kriva --help tells more");
+}
+
+TEST_F(Program, reportsAsJson) {
+    const Outcome outcome = run("report arch.kriva --format json");
+    EXPECT_EQ(outcome.code, 0);
+    const QJsonObject report = QJsonDocument::fromJson(outcome.out).object();
+    EXPECT_EQ(report[QLatin1String("document")].toString(), QStringLiteral("arch.kriva"));
+    const QJsonObject sheets = report[QLatin1String("sheets")].toObject();
+    EXPECT_TRUE(sheets.contains(QLatin1String("elevation")));
+    const Outcome one = run("report arch.kriva --format json --sheet subdivision");
+    EXPECT_FALSE(one.out.contains("elevation"));
+}
+
+TEST_F(Program, reportsAsATableInTheLanguageAskedFor) {
+    const Outcome english = run("report arch.kriva");
+    EXPECT_TRUE(english.out.contains("Curve 0: arch\n")) << english.out.constData();
+    EXPECT_TRUE(english.out.contains("(0; 0) – (4; 1.")) << english.out.constData();
+    const QStringList bulgarian{QStringLiteral("report"), QStringLiteral("arch.kriva"),
+                                QStringLiteral("--language=bg")};
+    EXPECT_TRUE(run(bulgarian).out.contains("(0; 0) – (4; 1,"));
+}
+
+TEST_F(Program, exportsTheFirstSheetThatHoldsACurve) {
+    EXPECT_EQ(run("export arch.kriva -o a.svg").code, 0);
+    EXPECT_TRUE(read("a.svg").contains("id=\"curve-0\""));
+    EXPECT_EQ(run("export arch.kriva -o b.svg --sheet elevation").code, 0);
+    EXPECT_EQ(read("a.svg"), read("b.svg"));
+}
+
+TEST_F(Program, opensItsOwnFigures) {
+    EXPECT_EQ(run("export arch.kriva -o a.svg").code, 0);
+    const QByteArray fromDocument = run("report arch.kriva").out;
+    EXPECT_EQ(run("report a.svg").out, fromDocument);
+    EXPECT_FALSE(fromDocument.isEmpty());
+}
+
+TEST_F(Program, saysWhenThereIsNothingToDraw) {
+    expectOneLine(run("export arch.kriva -o a.svg --sheet subdivision"), ExitCode::failure,
+                  "kriva: arch.kriva: there is no curve to draw");
+    write("empty.kriva", R"({"format":"kriva","version":1})");
+    EXPECT_EQ(run("export empty.kriva -o a.svg").code, 1);
+    EXPECT_FALSE(QFile::exists(path(QStringLiteral("a.svg"))));
+}
+
+TEST_F(Program, namesThePlaceOfWhatItRefuses) {
+    write("a.kriva", R"({"format":"kriva","version":1,"sheets":{"elevation":{"curves":[{"points":[[0,0],[1]]}]}}})");
+    expectOneLine(run("report a.kriva --format json"), ExitCode::refused,
+                  "kriva: a.kriva: sheets.elevation.curves[0].points[1]: expected two finite numbers");
+    write("b.kriva", "{\n  nothing");
+    expectOneLine(run("export b.kriva -o b.svg"), ExitCode::refused,
+                  "kriva: b.kriva: line 2, column 4: this is no JSON");
+    write("c.svg", "<svg/>");
+    EXPECT_EQ(run("report c.svg").code, 3);
+    expectOneLine(run("report none.kriva"), ExitCode::refused, "kriva: none.kriva: there is no such file");
+}
+
+TEST_F(Program, keepsItsLinesShortAndHarmless) {
+    write("a.kriva", QByteArray(R"({"format":"kriva","version":1,")") + QByteArray(5000, 'k') + "\u202e\":1}");
+    const QByteArray error = run("report a.kriva").error;
+    EXPECT_EQ(QString::fromUtf8(error).size(), 1001);
+    const Outcome outcome =
+        run({QStringLiteral("report"), QStringLiteral("a\nb\u202e"), QStringLiteral("--language=en")});
+    expectOneLine(outcome, ExitCode::refused, "kriva: a\\u000ab\\u202e: there is no such file");
+}
+
+TEST_F(Program, refusesPipesFoldersAndDevices) {
+    ASSERT_EQ(mkfifo(QFile::encodeName(path(QStringLiteral("pipe"))).constData(), 0600), 0);
+    expectOneLine(run("report pipe"), ExitCode::refused, "kriva: pipe: this is no regular file");
+    expectOneLine(run("report ."), ExitCode::refused, "kriva: .: this is no regular file");
+    EXPECT_EQ(run("report /dev/zero").code, 3);
+    ASSERT_EQ(mkfifo(QFile::encodeName(path(QStringLiteral("pipe.svg"))).constData(), 0600), 0);
+    EXPECT_EQ(run("export arch.kriva -o pipe.svg").code, 4);
+    EXPECT_EQ(run("export arch.kriva -o none/a.svg").code, 4);
+}
+
+TEST_F(Program, noticesWhenStdoutIsFull) {
+    const Outcome outcome = run("report arch.kriva", QStringLiteral("/dev/full"));
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_EQ(outcome.error, "kriva: the output could not be written\n");
+    EXPECT_EQ(run("--version", QStringLiteral("/dev/full")).code, 4);
+}
+
+TEST_F(Program, saysThatTheEditorNeedsADisplay) {
+    expectOneLine(run("arch.kriva"), ExitCode::failure,
+                  "kriva: the editor needs a display; export and report do without one");
+}
+
+TEST(Printable, keepsLettersAndEscapesWhatMovesTheCursor) {
+    EXPECT_EQ(printable(QStringLiteral("крива č 🙂")), QStringLiteral("крива č 🙂"));
+    EXPECT_EQ(printable(QStringLiteral("a\tb\u0085\u2028\u2067")), QStringLiteral("a\\u0009b\\u0085\\u2028\\u2067"));
+}
+
+} // namespace
+} // namespace kriva::app
