@@ -93,9 +93,18 @@ void CanvasScene::setDevicePixelRatio(double ratio) {
     invalidate();
 }
 
-void CanvasScene::setLook(const LabelLook& labels, const QPalette& palette) {
-    sight_.labels = labels;
-    grid_.font = labels.font;
+void CanvasScene::setTheme(Theme theme) {
+    sight_.theme = theme;
+    invalidate();
+}
+
+void CanvasScene::setTexts(TextSource texts) {
+    sight_.texts = std::move(texts);
+    invalidate();
+}
+
+void CanvasScene::setColorsAndFont(const QPalette& palette, const QFont& font) {
+    grid_.font = font;
     grid_.ink = palette.color(QPalette::Text);
     grid_.paper = palette.color(QPalette::Base);
     highlight_ = palette.color(QPalette::Highlight);
@@ -219,7 +228,7 @@ Points CanvasScene::selectedPlaces() const {
 
 void CanvasScene::drawBackground(QPainter* painter, const QRectF& rectangle) {
     painter->fillRect(rectangle, grid_.paper);
-    paintGrid(*painter, sight_.viewport, grid_, sight_.labels.texts);
+    paintGrid(*painter, sight_.viewport, grid_, sight_.texts);
 }
 
 void CanvasScene::drawForeground(QPainter* painter, const QRectF&) {

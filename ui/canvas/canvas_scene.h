@@ -34,9 +34,13 @@ class CanvasScene : public QGraphicsScene {
     void setMapping(const Viewport& mapping);
     [[nodiscard]] const Viewport& mapping() const { return sight_.viewport; }
     void setDevicePixelRatio(double ratio);
-    void setLook(const LabelLook& labels, const QPalette& palette);
+    void setTheme(Theme theme);
+    void setTexts(TextSource texts);
+    void setColorsAndFont(const QPalette& palette, const QFont& font);
     void setGridShown(bool isShown);
+    [[nodiscard]] bool isGridShown() const { return grid_.hasGrid; }
     void setAxesShown(bool areShown);
+    [[nodiscard]] bool areAxesShown() const { return grid_.hasAxes; }
 
     /// Brings the items up to date with everything given; paint() needs it.
     void prepare();

@@ -1,6 +1,6 @@
 #include "ui/canvas/canvas_view.h"
 
-#include "ui/canvas/qt_geometry.h"
+#include "ui/figures/caption_text.h"
 
 #include <QContextMenuEvent>
 #include <QGuiApplication>
@@ -44,7 +44,8 @@ CanvasView::CanvasView(CanvasClient& client, QWidget* parent)
     setRenderHint(QPainter::Antialiasing);
     setFocusPolicy(Qt::StrongFocus);
     viewport()->setMouseTracking(true);
-    applyLook();
+    scene_.setColorsAndFont(palette(), font());
+    retranslateUi();
 }
 
 void CanvasView::setTool(Tool tool) {
@@ -55,31 +56,15 @@ void CanvasView::setTool(Tool tool) {
     Q_EMIT toolChanged(tool);
 }
 
-void CanvasView::setTheme(Theme theme) {
-    theme_ = theme;
-    applyLook();
-}
-
-void CanvasView::setTextSource(TextSource texts) {
-    texts_ = std::move(texts);
-    applyLook();
-}
-
-void CanvasView::applyLook() {
-    scene_.setLook(labelLook(font(), theme_, texts_), palette());
+void CanvasView::retranslateUi() {
+    scene_.setTexts(textSource());
 }
 
 void CanvasView::setGridShown(bool isShown) {
-    if (isGridShown_ == isShown)
+    if (isGridShown() == isShown)
         return;
-    isGridShown_ = isShown;
     scene_.setGridShown(isShown);
     Q_EMIT gridShownChanged(isShown);
-}
-
-void CanvasView::setAxesShown(bool areShown) {
-    areAxesShown_ = areShown;
-    scene_.setAxesShown(areShown);
 }
 
 void CanvasView::setMapping(const Viewport& mapping) {
@@ -175,7 +160,9 @@ bool CanvasView::viewportEvent(QEvent* event) {
 void CanvasView::changeEvent(QEvent* event) {
     QGraphicsView::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        applyLook();
+        scene_.setColorsAndFont(palette(), font());
+    else if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
 }
 
 void CanvasView::paintEvent(QPaintEvent* event) {

@@ -26,13 +26,12 @@ class CanvasView : public QGraphicsView {
 
     void setTool(Tool tool);
     [[nodiscard]] Tool tool() const { return tool_; }
-    void setTheme(Theme theme);
-    /// Also where the language changed: labels and numbers are made anew.
-    void setTextSource(TextSource texts);
+    /// In which colours figures are drawn; grid and paper follow the palette.
+    void setTheme(Theme theme) { scene_.setTheme(theme); }
     void setGridShown(bool isShown);
-    [[nodiscard]] bool isGridShown() const { return isGridShown_; }
-    void setAxesShown(bool areShown);
-    [[nodiscard]] bool areAxesShown() const { return areAxesShown_; }
+    [[nodiscard]] bool isGridShown() const { return scene_.isGridShown(); }
+    void setAxesShown(bool areShown) { scene_.setAxesShown(areShown); }
+    [[nodiscard]] bool areAxesShown() const { return scene_.areAxesShown(); }
     /// Ends a drag that is going on as if the button had been released.
     void endGesture() { gestures_.finish(); }
 
@@ -88,7 +87,7 @@ class CanvasView : public QGraphicsView {
     bool focusNextPrevChild(bool isNext) override;
 
   private:
-    void applyLook();
+    void retranslateUi();
     void zoomAround(QPointF pixel, double factor);
     void fit(const kriva::Box& box); // QFrame has a Box of its own
 
@@ -97,10 +96,6 @@ class CanvasView : public QGraphicsView {
     Gestures gestures_;
     KeyGestures keys_;
     Tool tool_ = Tool::edit;
-    Theme theme_ = Theme::light;
-    TextSource texts_;
-    bool isGridShown_ = true;
-    bool areAxesShown_ = true;
     bool isFitDue_ = false; ///< until it is painted, a new size fits all again
 };
 

@@ -4,13 +4,15 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 namespace kriva::ui {
 namespace {
 
-// Labels avoid marks only where these are few: with more there is no free place anyway.
-constexpr std::size_t kMostObstacles = 1'000;
 // QPainter strokes a long polyline of a wide pen as one shape, whose cost grows faster than its length.
 constexpr qsizetype kPointsAtOnce = 64;
+// Pairs of a label and something it might cover that are looked at in a frame.
+constexpr std::size_t kMostPairs = 200'000;
 
 [[nodiscard]] bool isOfCurve(Role role) {
     return role == Role::curve || role == Role::run || role == Role::join;
@@ -36,6 +38,19 @@ void paintPolyline(QPainter& painter, const QPolygonF& polyline) {
     }
 }
 
+// Core places labels on a page in millimetres. What is seen is such a page, its document units being pixels, y up.
+
+[[nodiscard]] Page pageOfView(QSizeF size) {
+    return {size.width() / kPixelsPerMillimetre,
+            size.height() / kPixelsPerMillimetre,
+            1 / kPixelsPerMillimetre,
+            0,
+            {0, -size.height(), size.width(), 0}};
+}
+[[nodiscard]] Point onPageOfView(QPointF pixel) {
+    return {pixel.x(), -pixel.y()};
+}
+
 } // namespace
 
 void FigureItem::prepare(const Sight& sight) {
@@ -43,8 +58,8 @@ void FigureItem::prepare(const Sight& sight) {
         prepareGeometryChange();
         seen_ = sight.rectangle();
     }
-    look_ = sight.labels;
     devicePixelRatio_ = sight.devicePixelRatio;
+    labelColor_ = toQt(styleOf(Role::label, 0, sight.theme).color);
     pointCount_ = 0;
     curveLines_.clear();
     layers_.clear();
@@ -54,19 +69,18 @@ void FigureItem::prepare(const Sight& sight) {
         for (const Stroke& stroke : layer.strokes)
             prepareStroke(stroke, sight, prepared);
         for (const Marks& marks : layer.marks) {
-            const RoleStyle style = styleOf(marks.role, marks.series, look_.theme);
+            const RoleStyle style = styleOf(marks.role, marks.series, sight.theme);
             if (style.marker != Marker::none)
                 prepared.marks.push_back(
                     stampsAt(marks.at, markPicture(style, devicePixelRatio_), sight.viewport, devicePixelRatio_));
         }
     }
-    for (std::size_t i = 0; i < layers_.size(); ++i)
-        layers_[i].labels = placedLabels(figure_.layers[i].labels, markBoxes(), sight.viewport, look_);
+    prepareLabels(sight);
 }
 
 void FigureItem::prepareStroke(const Stroke& stroke, const Sight& sight, PreparedLayer& layer) {
-    Line line{toQt(styleOf(stroke, look_.theme)), {}};
-    line.pen.setColor(faded(line.pen.color(), toQt(paperColor(look_.theme)), stroke.strength));
+    Line line{penOf(styleOf(stroke, sight.theme), kPixelsPerPoint), stroke.role, {}};
+    line.pen.setColor(faded(line.pen.color(), toQt(paperColor(sight.theme)), stroke.strength));
     line.polylines = visiblePolylines(stroke.path, sight.viewport, line.pen.widthF() + 2, sight.fineness);
     for (const QPolygonF& polyline : line.polylines)
         pointCount_ += static_cast<std::size_t>(polyline.size());
@@ -75,21 +89,64 @@ void FigureItem::prepareStroke(const Stroke& stroke, const Sight& sight, Prepare
     layer.lines.push_back(std::move(line));
 }
 
-std::vector<QRectF> FigureItem::markBoxes() const {
-    std::vector<QRectF> boxes;
-    for (const PreparedLayer& layer : layers_) {
-        for (const Stamps& marks : layer.marks) {
-            const QSizeF size = QSizeF(marks.picture.size()) / devicePixelRatio_;
-            for (const QPoint place : marks.places)
-                boxes.emplace_back(QPointF(place) / devicePixelRatio_, size);
-            if (boxes.size() > kMostObstacles)
-                return {};
+void FigureItem::prepareLabels(const Sight& sight) {
+    const Figure seen = seenFigure(seenLabels(sight.viewport));
+    const auto placed = placedLabels(seen, pageOfView(sight.viewport.size), sight.texts);
+    for (std::size_t i = 0; i < layers_.size(); ++i)
+        layers_[i].labels = placed[i];
+}
+
+std::vector<std::vector<Label>> FigureItem::seenLabels(const Viewport& viewport) const {
+    std::vector<std::vector<Label>> labels(figure_.layers.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        for (Label label : figure_.layers[i].labels) {
+            const QPointF pixel = viewport.toPixels(label.at);
+            if (!seen_.contains(pixel))
+                continue;
+            if (++count > kMostLabels)
+                return std::vector<std::vector<Label>>(labels.size());
+            label.at = onPageOfView(pixel);
+            labels[i].push_back(std::move(label));
         }
     }
-    return boxes;
+    return labels;
+}
+
+Figure FigureItem::seenFigure(std::vector<std::vector<Label>> labels) const {
+    std::size_t labelCount = 0;
+    std::size_t obstacles = pointCount_;
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+        labelCount += labels[i].size();
+        for (const Stamps& marks : layers_[i].marks)
+            obstacles += marks.places.size();
+    }
+    const bool areObstaclesSeen = labelCount * obstacles <= kMostPairs;
+    Figure seen;
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+        Layer& layer = seen.layers.emplace_back();
+        layer.labels = std::move(labels[i]);
+        if (labelCount == 0 || !areObstaclesSeen)
+            continue;
+        for (const Line& line : layers_[i].lines) {
+            for (const QPolygonF& polyline : line.polylines) {
+                Points points;
+                std::ranges::transform(polyline, std::back_inserter(points), onPageOfView);
+                layer.strokes.push_back({.path = kriva::polyline(points), .role = line.role});
+            }
+        }
+        for (const Stamps& marks : layers_[i].marks) {
+            Marks& at = layer.marks.emplace_back();
+            const QPointF middle = QRectF(marks.picture.rect()).center();
+            for (const QPoint place : marks.places)
+                at.at.push_back(onPageOfView((place + middle) / devicePixelRatio_));
+        }
+    }
+    return seen;
 }
 
 void FigureItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    const LabelFonts fonts = labelFonts(kPixelsPerPoint);
     for (const PreparedLayer& layer : layers_) {
         for (const Line& line : layer.lines) {
             painter->setPen(line.pen);
@@ -98,7 +155,9 @@ void FigureItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
         }
         for (const Stamps& marks : layer.marks)
             kriva::ui::paint(*painter, marks, devicePixelRatio_);
-        kriva::ui::paint(*painter, layer.labels, look_);
+        painter->setPen(labelColor_);
+        for (const PlacedLabel& label : layer.labels)
+            paintLabel(*painter, label, kPixelsPerMillimetre * toQt(label.baseline), fonts);
     }
 }
 

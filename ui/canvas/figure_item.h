@@ -1,23 +1,26 @@
 #pragma once
 
-#include "ui/canvas/drawing/label_layout.h"
 #include "ui/canvas/drawing/stamps.h"
 #include "ui/canvas/drawing/visible_path.h"
+#include "ui/figures/figure_ink.h"
 
 #include <QGraphicsItem>
-#include <QPen>
 
 namespace kriva::ui {
 
 /// How a canvas shows its figures at the moment.
 struct Sight {
     Viewport viewport;
-    LabelLook labels;
+    Theme theme = Theme::light;
+    TextSource texts;
     Fineness fineness;
     double devicePixelRatio = 1;
 
     [[nodiscard]] QRectF rectangle() const { return {{}, viewport.size}; }
 };
+
+/// Nobody reads more labels than this at once: beyond it none is drawn.
+inline constexpr std::size_t kMostLabels = 200;
 
 /// The figure of one curve. What is seen of it is worked out in prepare(); painting only draws.
 class FigureItem : public QGraphicsItem {
@@ -37,6 +40,7 @@ class FigureItem : public QGraphicsItem {
   private:
     struct Line {
         QPen pen;
+        Role role = Role::curve;
         std::vector<QPolygonF> polylines;
     };
     struct PreparedLayer {
@@ -46,14 +50,16 @@ class FigureItem : public QGraphicsItem {
     };
 
     void prepareStroke(const Stroke& stroke, const Sight& sight, PreparedLayer& layer);
-    [[nodiscard]] std::vector<QRectF> markBoxes() const;
+    void prepareLabels(const Sight& sight);
+    [[nodiscard]] std::vector<std::vector<Label>> seenLabels(const Viewport& viewport) const;
+    [[nodiscard]] Figure seenFigure(std::vector<std::vector<Label>> labels) const;
 
     Figure figure_;
     std::vector<PreparedLayer> layers_;
     std::vector<QPolygonF> curveLines_;
     std::size_t pointCount_ = 0;
-    LabelLook look_;
     double devicePixelRatio_ = 1;
+    QColor labelColor_;
     QRectF seen_;
 };
 

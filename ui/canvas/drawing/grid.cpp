@@ -140,10 +140,8 @@ void paintGrid(QPainter& painter, const Viewport& viewport, const GridLook& look
         paintAxes(painter, viewport, look);
         painter.setFont(look.font);
         painter.setPen(mixed(look, kNumberStrength));
-        if (texts.number) {
-            paintNumbers(painter, viewport, Axis::x, texts);
-            paintNumbers(painter, viewport, Axis::y, texts);
-        }
+        paintNumbers(painter, viewport, Axis::x, texts);
+        paintNumbers(painter, viewport, Axis::y, texts);
     }
     painter.restore();
 }

@@ -1,9 +1,9 @@
 #include "ui/canvas/drawing/stamps.h"
 
 #include "ui/canvas/qt_geometry.h"
+#include "ui/figures/figure_ink.h"
 
 #include <QPainter>
-#include <QPainterPath>
 
 #include <cmath>
 
@@ -13,26 +13,6 @@ namespace {
 // More marks than this stand so thick that those on the same few pixels are left out.
 constexpr std::size_t kMostStamps = 20'000;
 constexpr int kThickestCell = 8;
-
-[[nodiscard]] QPainterPath markerPath(Marker marker, double size) {
-    QPainterPath path;
-    const QRectF square(-size / 2, -size / 2, size, size);
-    switch (marker) {
-    case Marker::none:
-        break;
-    case Marker::circle:
-    case Marker::ring:
-        path.addEllipse(square);
-        break;
-    case Marker::square:
-        path.addRect(square);
-        break;
-    case Marker::diamond:
-        path.addPolygon(QPolygonF({{-size / 2, 0}, {0, -size / 2}, {size / 2, 0}, {0, size / 2}, {-size / 2, 0}}));
-        break;
-    }
-    return path;
-}
 
 /// The middles of the marks that are seen, in device pixels; of those in the same cell the first.
 [[nodiscard]] std::vector<QPoint> seenPixels(std::span<const Point> points, const Viewport& viewport,
@@ -67,12 +47,7 @@ QPixmap markPicture(const RoleStyle& style, double devicePixelRatio) {
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.translate(side / 2.0, side / 2.0);
-    painter.scale(scale, scale);
-    const bool hasOutline = style.markerWidth > 0;
-    painter.setPen(hasOutline ? QPen(toQt(style.color), style.markerWidth) : QPen(Qt::NoPen));
-    painter.setBrush(style.marker == Marker::ring ? QBrush(Qt::NoBrush) : QBrush(toQt(style.markerFill)));
-    painter.drawPath(markerPath(style.marker, style.markerSize));
+    paintMark(painter, style, {side / 2.0, side / 2.0}, scale);
     return picture;
 }
 
