@@ -1,11 +1,10 @@
 #include "ui/canvas/canvas_scene.h"
 
-#include "ui/canvas/qt_geometry.h"
-
 #include <QPainter>
 #include <QPalette>
 
 #include <algorithm>
+#include <utility>
 
 namespace kriva::ui {
 namespace {
@@ -13,17 +12,6 @@ namespace {
 // More points than this are not drawn in a frame if fewer, further apart, can stand for them.
 constexpr std::size_t kMostPointsInFrame = 20'000;
 constexpr double kCoarsestSpacing = 8; ///< pixels
-constexpr double kBandOpacity = 0.15;
-
-// Selected and hovered grips are larger than any mark and differ from each other without colour, too: filled and ring.
-constexpr double kSelectedSize = 6; ///< points
-constexpr double kHoveredSize = 8.5;
-constexpr double kHighlightOutline = 1.2;
-
-[[nodiscard]] Color toColor(const QColor& color) {
-    return {static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
-            static_cast<std::uint8_t>(color.blue())};
-}
 
 } // namespace
 
@@ -68,9 +56,8 @@ void CanvasScene::setSelection(Selection selection) {
 }
 
 void CanvasScene::setHovered(std::optional<GripRef> grip) {
-    if (hovered_ == grip)
+    if (std::exchange(hovered_, grip) == grip)
         return;
-    hovered_ = grip;
     areHighlightsPrepared_ = false;
     update();
 }
@@ -87,10 +74,8 @@ void CanvasScene::setMapping(const Viewport& mapping) {
 }
 
 void CanvasScene::setDevicePixelRatio(double ratio) {
-    if (sight_.devicePixelRatio == ratio)
-        return;
-    sight_.devicePixelRatio = ratio;
-    invalidate();
+    if (std::exchange(sight_.devicePixelRatio, ratio) != ratio)
+        invalidate();
 }
 
 void CanvasScene::setTheme(Theme theme) {
@@ -107,7 +92,7 @@ void CanvasScene::setColorsAndFont(const QPalette& palette, const QFont& font) {
     grid_.font = font;
     grid_.ink = palette.color(QPalette::Text);
     grid_.paper = palette.color(QPalette::Base);
-    highlight_ = palette.color(QPalette::Highlight);
+    colors_ = {palette.color(QPalette::Highlight), grid_.ink};
     invalidate();
 }
 
@@ -139,12 +124,14 @@ void CanvasScene::prepareItems() {
     if (std::ranges::none_of(entries_, &Entry::isPrepared))
         sight_.fineness.spacing = std::max(Fineness().spacing, sight_.fineness.spacing / 2);
     for (;;) {
-        for (Entry& entry : entries_)
+        std::size_t count = 0;
+        for (Entry& entry : entries_) {
             if (!entry.isPrepared)
                 entry.item->prepare(sight_);
-        for (Entry& entry : entries_)
             entry.isPrepared = true;
-        if (pointCount() <= kMostPointsInFrame || sight_.fineness.spacing >= kCoarsestSpacing)
+            count += entry.item->pointCount();
+        }
+        if (count <= kMostPointsInFrame || sight_.fineness.spacing >= kCoarsestSpacing)
             return;
         sight_.fineness.spacing *= 2;
         for (Entry& entry : entries_)
@@ -153,24 +140,9 @@ void CanvasScene::prepareItems() {
 }
 
 void CanvasScene::prepareHighlights() {
-    Points hovered;
-    if (hovered_)
-        if (const auto at = placeOf(*hovered_))
-            hovered.push_back(*at);
-    const Color accent = toColor(highlight_);
-    const RoleStyle filled{toColor(grid_.ink), 0, {}, Marker::circle, kSelectedSize, kHighlightOutline, accent};
-    const RoleStyle ring{accent, 0, {}, Marker::ring, kHoveredSize, kHighlightOutline, {}};
-    const double ratio = sight_.devicePixelRatio;
-    highlights_ = {stampsAt(selectedPlaces(), markPicture(filled, ratio), sight_.viewport, ratio),
-                   stampsAt(hovered, markPicture(ring, ratio), sight_.viewport, ratio)};
+    const std::optional<Point> hovered = hovered_ ? placeOf(*hovered_) : std::nullopt;
+    highlights_ = highlights(selectedPlaces(), hovered, colors_, sight_.viewport, sight_.devicePixelRatio);
     areHighlightsPrepared_ = true;
-}
-
-std::size_t CanvasScene::pointCount() const {
-    std::size_t count = 0;
-    for (const Entry& entry : entries_)
-        count += entry.item->pointCount();
-    return count;
 }
 
 std::vector<HitTarget> CanvasScene::targets() const {
@@ -234,13 +206,8 @@ void CanvasScene::drawBackground(QPainter* painter, const QRectF& rectangle) {
 void CanvasScene::drawForeground(QPainter* painter, const QRectF&) {
     for (const Stamps& stamps : highlights_)
         paint(*painter, stamps, sight_.devicePixelRatio);
-    if (!band_)
-        return;
-    QColor fill = highlight_;
-    fill.setAlphaF(static_cast<float>(kBandOpacity));
-    painter->setPen(highlight_);
-    painter->setBrush(fill);
-    painter->drawRect(*band_);
+    if (band_)
+        paintRubberBand(*painter, *band_, colors_);
 }
 
 } // namespace kriva::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/canvas/drawing/grid.h"
+#include "ui/canvas/drawing/highlights.h"
 #include "ui/canvas/figure_item.h"
 #include "ui/canvas/hit_test.h"
 
@@ -16,8 +17,8 @@ struct CanvasCurve {
     bool isActive = false;
 };
 
-/// The figures, grips and highlights of a canvas in pixels of its viewport. It holds what it was given and knows no
-/// gesture; everything is worked out again when it is next painted or asked what lies under a pixel.
+/// The figures, grips and highlights of a canvas in its pixels. It holds what it was given and knows no gesture;
+/// everything is worked out when it is next painted or asked what lies under a pixel.
 class CanvasScene : public QGraphicsScene {
     Q_OBJECT
 
@@ -71,7 +72,6 @@ class CanvasScene : public QGraphicsScene {
     void invalidate();
     void prepareItems();
     void prepareHighlights();
-    [[nodiscard]] std::size_t pointCount() const;
     [[nodiscard]] std::vector<HitTarget> targets() const;
 
     std::vector<Entry> entries_;
@@ -80,7 +80,7 @@ class CanvasScene : public QGraphicsScene {
     std::optional<QRectF> band_;
     Sight sight_;
     GridLook grid_;
-    QColor highlight_;
+    HighlightColors colors_;
     std::vector<Stamps> highlights_;
     bool areHighlightsPrepared_ = false;
 };

@@ -5,26 +5,14 @@
 #include <QContextMenuEvent>
 #include <QGuiApplication>
 #include <QKeyEvent>
-#include <QWheelEvent>
-
-#include <algorithm>
-#include <cmath>
 
 namespace kriva::ui {
 namespace {
 
-constexpr double kMargin = 40;         ///< pixels around what is fitted or revealed: room for labels
-constexpr double kZoomStep = 1.25;     ///< of Zoom in and of a notch of the wheel
-constexpr double kNotchAngle = 120;    ///< of a wheel, in eighths of a degree
-constexpr double kPixelsPerNotch = 60; ///< three lines, as elsewhere
+constexpr double kMargin = 40; ///< pixels around what is fitted or revealed: room for labels
 
 [[nodiscard]] bool isModifierKey(int key) {
     return key == Qt::Key_Shift || key == Qt::Key_Control || key == Qt::Key_Alt || key == Qt::Key_Meta;
-}
-
-/// How far to move a pixel to have it between `low` and `high`.
-[[nodiscard]] double wayInto(double pixel, double low, double high) {
-    return low <= high ? std::clamp(pixel, low, high) - pixel : 0;
 }
 
 } // namespace
@@ -69,6 +57,7 @@ void CanvasView::setGridShown(bool isShown) {
 
 void CanvasView::setMapping(const Viewport& mapping) {
     const double before = zoomPercent();
+    isFitDue_ = false;
     scene_.setMapping(mapping);
     gestures_.follow(QGuiApplication::keyboardModifiers());
     if (zoomPercent() != before)
@@ -81,48 +70,21 @@ void CanvasView::setUnitScale(double pixelsPerUnit) {
     setMapping(zoomedTo(next, next.zoom()));
 }
 
-void CanvasView::zoomAround(QPointF pixel, double factor) {
-    isFitDue_ = false;
-    setMapping(zoomedAt(mapping(), pixel, factor));
-}
-
-void CanvasView::zoomIn() {
-    zoomAround(scene_.sceneRect().center(), kZoomStep);
-}
-
-void CanvasView::zoomOut() {
-    zoomAround(scene_.sceneRect().center(), 1 / kZoomStep);
-}
-
-void CanvasView::zoomTo100() {
-    isFitDue_ = false;
-    setMapping(zoomedTo(mapping(), 1));
-}
-
 void CanvasView::fitAll() {
+    setMapping(fitted(mapping(), scene_.box(), kMargin));
     isFitDue_ = true;
-    fit(scene_.box());
 }
 
 void CanvasView::fitSelection() {
-    isFitDue_ = false;
-    fit(selection().empty() ? scene_.box() : boxOf(scene_.selectedPlaces()));
-}
-
-void CanvasView::fit(const kriva::Box& box) {
-    setMapping(fitted(mapping(), box, kMargin));
+    if (selection().empty())
+        fitAll();
+    else
+        setMapping(fitted(mapping(), boxOf(scene_.selectedPlaces()), kMargin));
 }
 
 void CanvasView::reveal(const GripRef& grip) {
-    const auto place = scene_.placeOf(grip);
-    if (!place)
-        return;
-    const QPointF pixel = mapping().toPixels(*place);
-    const QSizeF size = mapping().size;
-    const QPointF way(wayInto(pixel.x(), kMargin, size.width() - kMargin),
-                      wayInto(pixel.y(), kMargin, size.height() - kMargin));
-    if (!way.isNull())
-        setMapping(panned(mapping(), way));
+    if (const auto place = scene_.placeOf(grip))
+        setMapping(revealing(mapping(), *place, kMargin));
 }
 
 void CanvasView::hover(QPointF pixel, Qt::KeyboardModifiers modifiers) {
@@ -174,42 +136,17 @@ void CanvasView::paintEvent(QPaintEvent* event) {
 
 void CanvasView::resizeEvent(QResizeEvent* event) {
     QGraphicsView::resizeEvent(event);
+    const bool isFitDue = isFitDue_;
     Viewport next = mapping();
     next.size = event->size();
     setMapping(next);
-    if (isFitDue_)
+    if (isFitDue)
         fitAll();
-}
-
-void CanvasView::mousePressEvent(QMouseEvent* event) {
-    gestures_.press(*event);
 }
 
 void CanvasView::mouseMoveEvent(QMouseEvent* event) {
     gestures_.move(*event);
     Q_EMIT pointerMoved(mapping().toDocument(event->position()));
-}
-
-void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
-    gestures_.release(*event);
-}
-
-void CanvasView::mouseDoubleClickEvent(QMouseEvent* event) {
-    gestures_.doubleClick(*event);
-}
-
-void CanvasView::wheelEvent(QWheelEvent* event) {
-    event->accept();
-    const QPointF notches = QPointF(event->angleDelta()) / kNotchAngle;
-    if (event->modifiers().testFlag(Qt::ControlModifier)) {
-        zoomAround(event->position(), std::pow(kZoomStep, notches.y()));
-        return;
-    }
-    QPointF way = event->pixelDelta().isNull() ? kPixelsPerNotch * notches : QPointF(event->pixelDelta());
-    if (event->modifiers().testFlag(Qt::ShiftModifier))
-        way = way.transposed();
-    isFitDue_ = false;
-    setMapping(panned(mapping(), way));
 }
 
 void CanvasView::contextMenuEvent(QContextMenuEvent* event) {

@@ -38,9 +38,9 @@ class CanvasView : public QGraphicsView {
     /// Pixels per document unit at 100 %. What is seen stays.
     void setUnitScale(double pixelsPerUnit);
     [[nodiscard]] double zoomPercent() const { return 100 * mapping().zoom(); }
-    void zoomIn();
-    void zoomOut();
-    void zoomTo100();
+    void zoomIn() { zoomTo(mapping().zoom() * kZoomStep); }
+    void zoomOut() { zoomTo(mapping().zoom() / kZoomStep); }
+    void zoomTo100() { zoomTo(1); }
     void fitAll();
     /// All, where nothing is selected.
     void fitSelection();
@@ -74,11 +74,11 @@ class CanvasView : public QGraphicsView {
     void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override { gestures_.press(*event); }
     void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void mouseDoubleClickEvent(QMouseEvent* event) override;
-    void wheelEvent(QWheelEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override { gestures_.release(*event); }
+    void mouseDoubleClickEvent(QMouseEvent* event) override { gestures_.doubleClick(*event); }
+    void wheelEvent(QWheelEvent* event) override { gestures_.wheel(*event); }
     void contextMenuEvent(QContextMenuEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
@@ -88,8 +88,7 @@ class CanvasView : public QGraphicsView {
 
   private:
     void retranslateUi();
-    void zoomAround(QPointF pixel, double factor);
-    void fit(const kriva::Box& box); // QFrame has a Box of its own
+    void zoomTo(double zoom) { setMapping(zoomedTo(mapping(), zoom)); }
 
     CanvasClient& client_;
     CanvasScene scene_;

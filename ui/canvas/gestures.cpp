@@ -4,13 +4,16 @@
 #include "ui/canvas/qt_geometry.h"
 
 #include <QMouseEvent>
+#include <QWheelEvent>
 
 #include <cmath>
 
 namespace kriva::ui {
 namespace {
 
-constexpr double kClickReach = 4; ///< pixels: less movement is a click
+constexpr double kClickReach = 4;      ///< pixels: less movement is a click
+constexpr double kNotchAngle = 120;    ///< of a wheel, in eighths of a degree
+constexpr double kPixelsPerNotch = 60; ///< three lines, as elsewhere
 
 [[nodiscard]] bool isHandle(GripKind kind) {
     return kind == GripKind::inHandle || kind == GripKind::outHandle || kind == GripKind::startDerivative ||
@@ -19,16 +22,6 @@ constexpr double kClickReach = 4; ///< pixels: less movement is a click
 
 [[nodiscard]] Vector lockedToAxis(Vector way) {
     return std::abs(way.x) >= std::abs(way.y) ? Vector{way.x, 0} : Vector{0, way.y};
-}
-
-[[nodiscard]] Selection without(Selection selection, const Selection& removed) {
-    std::erase_if(selection, [&](const GripRef& grip) { return removed.contains(grip); });
-    return selection;
-}
-
-[[nodiscard]] Selection with(Selection selection, Selection added) {
-    selection.merge(added);
-    return selection;
 }
 
 } // namespace
@@ -47,9 +40,14 @@ void Gestures::press(const QMouseEvent& event) {
 }
 
 void Gestures::begin(const QMouseEvent& event) {
-    press_ = {pixel_, view_.mapping().toDocument(pixel_), event.button(), event.modifiers(), view_.hitAt(pixel_)};
-    const bool isPanning = event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && isSpaceHeld_);
+    press_ = pressOf(event);
+    const bool isPanning = press_.button == Qt::MiddleButton || (press_.button == Qt::LeftButton && isSpaceHeld_);
     setState(isPanning ? State::panning : State::pressed);
+}
+
+Press Gestures::pressOf(const QMouseEvent& event) const {
+    const QPointF pixel = event.position();
+    return {pixel, view_.mapping().toDocument(pixel), event.button(), event.modifiers(), view_.hitAt(pixel)};
 }
 
 void Gestures::move(const QMouseEvent& event) {
@@ -75,6 +73,18 @@ void Gestures::follow(Qt::KeyboardModifiers modifiers) {
         view_.hover(pixel_, modifiers);
 }
 
+void Gestures::wheel(QWheelEvent& event) {
+    event.accept();
+    const QPointF notches = QPointF(event.angleDelta()) / kNotchAngle;
+    if (event.modifiers().testFlag(Qt::ControlModifier)) {
+        view_.setMapping(zoomedAt(view_.mapping(), event.position(), std::pow(kZoomStep, notches.y())));
+        return;
+    }
+    const QPointF way = event.pixelDelta().isNull() ? kPixelsPerNotch * notches : QPointF(event.pixelDelta());
+    const bool isSideways = event.modifiers().testFlag(Qt::ShiftModifier);
+    view_.setMapping(panned(view_.mapping(), isSideways ? way.transposed() : way));
+}
+
 void Gestures::leave() {
     isPointerInside_ = false;
 }
@@ -85,7 +95,7 @@ void Gestures::release(const QMouseEvent& event) {
         return;
     if (state_ == State::pressed) {
         setState(State::idle);
-        click();
+        click(press_, view_, client_);
     } else {
         finish();
     }
@@ -93,19 +103,13 @@ void Gestures::release(const QMouseEvent& event) {
 }
 
 void Gestures::doubleClick(const QMouseEvent& event) {
-    pixel_ = event.position();
-    const bool isPlain = event.button() == Qt::LeftButton && event.modifiers() == Qt::NoModifier;
-    const Hit under = view_.hitAt(pixel_);
+    const Press second = pressOf(event);
+    const bool isPlain = second.button == Qt::LeftButton && second.modifiers == Qt::NoModifier;
     // Elsewhere the second press is one more click.
-    if (isRunning() || !isPlain || isSpaceHeld_ || view_.tool() == Tool::add || under.grip) {
+    if (isRunning() || !isPlain || isSpaceHeld_ || view_.tool() == Tool::add || second.under.grip)
         press(event);
-        return;
-    }
-    const Point at = view_.mapping().toDocument(pixel_);
-    if (under.curve)
-        client_.insertPoint(*under.curve, at);
     else
-        client_.addPoint(at);
+        kriva::ui::doubleClick(second, client_);
 }
 
 void Gestures::setSpaceHeld(bool isHeld) {
@@ -113,55 +117,9 @@ void Gestures::setSpaceHeld(bool isHeld) {
     showCursor();
 }
 
-void Gestures::click() {
-    if (press_.button == Qt::RightButton)
-        view_.requestContextMenu(press_.pixel);
-    else if (press_.modifiers.testFlag(Qt::AltModifier))
-        clickWithAlt();
-    else if (view_.tool() == Tool::add)
-        clickWithAddTool();
-    else
-        clickWithEditTool();
-}
-
-void Gestures::clickWithAlt() {
-    if (press_.modifiers.testFlag(Qt::ControlModifier)) {
-        if (press_.under.curve)
-            client_.insertPoint(*press_.under.curve, press_.at);
-    } else if (press_.under.grip) {
-        client_.removePoint(*press_.under.grip);
-    } else {
-        client_.addPoint(press_.at);
-    }
-}
-
-void Gestures::clickWithAddTool() {
-    if (press_.under.grip)
-        client_.addPointOn(*press_.under.grip, press_.at);
-    else if (press_.under.curve)
-        client_.insertPoint(*press_.under.curve, press_.at);
-    else
-        client_.addPoint(press_.at);
-}
-
-void Gestures::clickWithEditTool() {
-    const bool isToggling = press_.modifiers.testFlag(Qt::ShiftModifier);
-    if (const auto& grip = press_.under.grip) {
-        const Selection& selection = view_.selection();
-        if (!isToggling)
-            client_.select({*grip});
-        else
-            client_.select(selection.contains(*grip) ? without(selection, {*grip}) : with(selection, {*grip}));
-    } else if (press_.under.curve) {
-        client_.activateCurve(*press_.under.curve);
-    } else if (!isToggling && !view_.selection().empty()) {
-        client_.select({});
-    }
-}
-
 void Gestures::startDrag() {
-    const bool isAlt = press_.modifiers.testFlag(Qt::AltModifier);
-    const bool isShift = press_.modifiers.testFlag(Qt::ShiftModifier);
+    const bool isAlt = press_.with(Qt::AltModifier);
+    const bool isShift = press_.with(Qt::ShiftModifier);
     if (press_.button == Qt::RightButton) {
         setState(State::idle);
     } else if (press_.under.grip && !isAlt) {
@@ -183,8 +141,8 @@ void Gestures::takeGrip(const GripRef& grip) {
     setState(State::dragging);
     const Selection& selection = view_.selection();
     if (!selection.contains(grip)) {
-        const bool isAdding = press_.modifiers.testFlag(Qt::ShiftModifier);
-        client_.select(isAdding ? with(selection, {grip}) : Selection{grip});
+        const bool isAdding = press_.with(Qt::ShiftModifier);
+        client_.select(isAdding ? united(selection, {grip}) : Selection{grip});
     }
     client_.beginDrag(grip);
 }
@@ -210,13 +168,12 @@ void Gestures::finish() {
 void Gestures::finishBand() {
     const Selection inside = view_.pointsIn(band());
     view_.setRubberBand(std::nullopt);
-    const bool isShift = press_.modifiers.testFlag(Qt::ShiftModifier);
-    const bool isSubtracting =
-        press_.modifiers.testFlag(Qt::AltModifier) || (isShift && press_.modifiers.testFlag(Qt::ControlModifier));
+    const bool isShift = press_.with(Qt::ShiftModifier);
+    const bool isSubtracting = press_.with(Qt::AltModifier) || (isShift && press_.with(Qt::ControlModifier));
     if (isSubtracting)
         client_.select(without(view_.selection(), inside));
     else
-        client_.select(isShift ? with(view_.selection(), inside) : inside);
+        client_.select(isShift ? united(view_.selection(), inside) : inside);
 }
 
 Vector Gestures::way(Qt::KeyboardModifiers modifiers) const {

@@ -1,17 +1,17 @@
 #pragma once
 
-#include "ui/canvas/canvas_client.h"
+#include "ui/canvas/clicks.h"
 
-#include <QPointF>
 #include <QRectF>
 
 class QMouseEvent;
+class QWheelEvent;
 
 namespace kriva::ui {
 
-class CanvasView;
-
 enum class Tool { edit, add };
+
+inline constexpr double kZoomStep = 1.25; ///< of Zoom in and of a notch of the wheel
 
 /// Turns what the mouse does on a canvas into wishes: which press means what, and where a click becomes a drag.
 class Gestures {
@@ -22,6 +22,8 @@ class Gestures {
     void move(const QMouseEvent& event);
     void release(const QMouseEvent& event);
     void doubleClick(const QMouseEvent& event);
+    /// Scrolls, sideways with Shift, or zooms at the pointer with Ctrl.
+    void wheel(QWheelEvent& event);
     /// The pointer is elsewhere: nothing is hovered any more.
     void leave();
     /// While it is held before a press, the press pans.
@@ -39,19 +41,8 @@ class Gestures {
 
   private:
     enum class State { idle, pressed, dragging, banding, panning };
-    struct Press {
-        QPointF pixel;
-        Point at;
-        Qt::MouseButton button = Qt::NoButton;
-        Qt::KeyboardModifiers modifiers;
-        Hit under;
-    };
-
     void begin(const QMouseEvent& event);
-    void click();
-    void clickWithAlt();
-    void clickWithAddTool();
-    void clickWithEditTool();
+    [[nodiscard]] Press pressOf(const QMouseEvent& event) const;
     void startDrag();
     void takeGrip(const GripRef& grip);
     void startBand();

@@ -17,6 +17,15 @@ struct GripRef {
 
 using Selection = std::set<GripRef>;
 
+[[nodiscard]] inline Selection united(Selection selection, Selection added) {
+    selection.merge(added);
+    return selection;
+}
+[[nodiscard]] inline Selection without(Selection selection, const Selection& removed) {
+    std::erase_if(selection, [&](const GripRef& grip) { return removed.contains(grip); });
+    return selection;
+}
+
 /// What lies under a pixel: a grip, else a curve, else nothing.
 struct Hit {
     std::optional<GripRef> grip;

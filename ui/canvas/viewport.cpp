@@ -18,6 +18,11 @@ constexpr double kLargestScale = 1e18;
     return {withinLimits(p.x), withinLimits(p.y)};
 }
 
+/// How far to move a pixel to have it between `low` and `high`.
+[[nodiscard]] double wayInto(double pixel, double low, double high) {
+    return low <= high ? std::clamp(pixel, low, high) - pixel : 0;
+}
+
 } // namespace
 
 QPointF Viewport::toPixels(Point p) const {
@@ -58,6 +63,13 @@ Viewport fitted(const Viewport& viewport, const Box& box, double margin) {
     if (box.width() > 0 || box.height() > 0)
         result = zoomedTo(result, std::min(width / box.width(), height / box.height()) / viewport.unitScale);
     return result;
+}
+
+Viewport revealing(const Viewport& viewport, Point p, double margin) {
+    const QPointF pixel = viewport.toPixels(p);
+    const QPointF way(wayInto(pixel.x(), margin, viewport.size.width() - margin),
+                      wayInto(pixel.y(), margin, viewport.size.height() - margin));
+    return way.isNull() ? viewport : panned(viewport, way);
 }
 
 Box visibleBox(const Viewport& viewport) {

@@ -40,6 +40,9 @@ inline constexpr double kLargestZoom = 1e9;
 /// an empty box changes nothing.
 [[nodiscard]] Viewport fitted(const Viewport& viewport, const Box& box, double margin);
 
+/// Moved as little as needed to have the point in view, with a margin in pixels.
+[[nodiscard]] Viewport revealing(const Viewport& viewport, Point p, double margin);
+
 /// The part of the plane that is seen.
 [[nodiscard]] Box visibleBox(const Viewport& viewport);
 

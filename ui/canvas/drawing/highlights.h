@@ -1,0 +1,24 @@
+#pragma once
+
+#include "ui/canvas/drawing/stamps.h"
+
+#include <QColor>
+
+#include <optional>
+
+namespace kriva::ui {
+
+struct HighlightColors {
+    QColor accent;
+    QColor ink;
+};
+
+/// The marks over selected grips and, larger and hollow, over the one under the pointer: they differ without colour.
+[[nodiscard]] std::vector<Stamps> highlights(std::span<const Point> selected, std::optional<Point> hovered,
+                                             const HighlightColors& colors, const Viewport& viewport,
+                                             double devicePixelRatio);
+
+/// The rectangle in which points are being selected, in pixels.
+void paintRubberBand(QPainter& painter, const QRectF& band, const HighlightColors& colors);
+
+} // namespace kriva::ui
