@@ -19,7 +19,8 @@ ROOT = pathlib.Path(__file__).parent.parent.parent
 PLURAL_FORMS = {"en": 2, "bg": 2, "uk": 3, "sl": 4}
 
 PLACEHOLDER = re.compile(r"%(?:L?\d{1,2}|L?n)")
-TAG = re.compile(r"</?[a-z][^>]*>")
+# By name: Qt's "<empty>" is a word in brackets.
+TAG = re.compile(r"</?(?:a|b|br|code|em|h[1-6]|i|img|li|nobr|ol|p|pre|qt|span|strong|su[bp]|table|t[dhrt]|u|ul)\b[^>]*>")
 # One & before a character that can be typed; && is an ampersand to read, &lt; belongs to a text with tags.
 MNEMONIC = re.compile(r"(?<!&)(?:&&)*&(?!\w+;)([^\s&])")
 CLOSING = re.compile(r"[.:…?!,;]*$")

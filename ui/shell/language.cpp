@@ -69,10 +69,10 @@ Language systemLanguage() {
 class LanguageSwitch::Catalogues : public QTranslator {
   public:
     void load(const QString& code) {
-        // What Qt's own catalogue lacks, or a system without it, is filled by our supplement.
+        // Our supplement comes before Qt's own catalogue: it says what that lacks or, where there is none, all of it.
         const QString qtFolder = QLibraryInfo::path(QLibraryInfo::TranslationsPath);
-        const std::array paths = {u":/i18n/kriva_%1.qm"_s.arg(code), u"%1/qtbase_%2.qm"_s.arg(qtFolder, code),
-                                  u":/i18n/qtbase_%1.qm"_s.arg(code)};
+        const std::array paths = {u":/i18n/kriva_%1.qm"_s.arg(code), u":/i18n/qtbase_%1.qm"_s.arg(code),
+                                  u"%1/qtbase_%2.qm"_s.arg(qtFolder, code)};
         for (std::size_t i = 0; i < paths.size(); ++i) {
             catalogues_[i] = std::make_unique<QTranslator>();
             // A catalogue that is not there stays empty: English needs none of Qt's.
