@@ -13,14 +13,18 @@ SheetIndex activeSheet(const JsonNode& node, std::index_sequence<Index...>) {
     return node.oneOf<SheetIndex>({{sheetName(Index), Index}...});
 }
 
-void checkLayers(const JsonNode& view, const SheetView& read, SheetIndex sheet) {
-    const auto table = layersOf(sheet);
-    for (const auto& [name, isShown] : read.layers) {
-        const bool isKnown =
-            std::any_of(table.begin(), table.end(), [&](const LayerInfo& l) { return l.name == name; });
-        if (!isKnown)
-            view.refuse(FileProblem::unknownKey, {}, {name});
-    }
+std::vector<std::string_view> layerNames(SheetIndex sheet) {
+    std::vector<std::string_view> names;
+    for (const LayerInfo& layer : layersOf(sheet))
+        names.push_back(layer.name);
+    return names;
+}
+
+std::array<std::string_view, kSheetCount> sheetNames() {
+    std::array<std::string_view, kSheetCount> names;
+    for (SheetIndex index = 0; index < kSheetCount; ++index)
+        names[index] = sheetName(index);
+    return names;
 }
 
 void readSheet(const JsonNode& node, SheetIndex index, Sheet& sheet) {
@@ -33,10 +37,8 @@ void readSheet(const JsonNode& node, SheetIndex index, Sheet& sheet) {
             sheet.curves.push_back(std::move(curve));
         });
     }
-    if (const JsonNode* view = object.find("view")) {
-        readView(*view, sheet.view);
-        checkLayers(*view, sheet.view, index);
-    }
+    if (const JsonNode* view = object.find("view"))
+        readView(*view, sheet.view, layerNames(index));
     const int lastCurve = std::max(0, static_cast<int>(sheet.curves.size()) - 1);
     sheet.view.activeCurve = std::min(sheet.view.activeCurve, lastCurve);
     if (std::optional<FileError> error = sheetLimitError(sheet, index))
@@ -58,12 +60,10 @@ Document readChecked(const JsonTape& tape) {
     if (const JsonNode* active = object.find("active"))
         document.active = activeSheet(*active, std::make_index_sequence<kSheetCount>());
     if (const JsonNode* sheets = object.find("sheets")) {
-        sheets->forEachMember([&](std::string_view name, const JsonNode& node) {
-            const std::optional<SheetIndex> index = sheetNamed(name);
-            if (!index)
-                node.refuse(FileProblem::unknownKey);
-            readSheet(node, *index, document.sheets[*index]);
-        });
+        const JsonObject byName(*sheets, sheetNames());
+        for (SheetIndex index = 0; index < kSheetCount; ++index)
+            if (const JsonNode* sheet = byName.find(sheetName(index)))
+                readSheet(*sheet, index, document.sheets[index]);
     }
     return document;
 }

@@ -1,8 +1,21 @@
 #include "core/document/file_error.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace kriva {
+
+void appendKey(std::string& place, std::string_view key) {
+    if (!place.empty())
+        place += '.';
+    place += key;
+}
+
+void appendPosition(std::string& place, std::size_t position) {
+    char digits[24];
+    const auto end = std::to_chars(digits, digits + sizeof digits, position).ptr;
+    place.append("[").append(digits, end).append("]");
+}
 
 FileError errorAtByte(FileProblem problem, std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, std::min(byte, text.size()));

@@ -48,6 +48,10 @@ struct FileError {
     friend bool operator==(const FileError&, const FileError&) = default;
 };
 
+/// Goes on from the place of an object to its member, from that of a list to its element.
+void appendKey(std::string& place, std::string_view key);
+void appendPosition(std::string& place, std::size_t position);
+
 /// A problem at a byte of a text: its line and its column, which counts bytes.
 [[nodiscard]] FileError errorAtByte(FileProblem problem, std::string_view text, std::size_t byte);
 

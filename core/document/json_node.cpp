@@ -10,14 +10,11 @@ std::string JsonNode::place() const {
     if (!parent_)
         return {};
     std::string place = parent_->place();
-    if (parent_->entry().kind == JsonKind::list) {
-        char digits[24];
-        const auto end = std::to_chars(digits, digits + sizeof digits, position_).ptr;
-        return place.append("[").append(digits, end).append("]");
-    }
-    if (!place.empty())
-        place += '.';
-    return place.append(key_);
+    if (parent_->entry().kind == JsonKind::list)
+        appendPosition(place, position_);
+    else
+        appendKey(place, key_);
+    return place;
 }
 
 void JsonNode::refuse(FileProblem problem, std::vector<double> numbers, std::vector<std::string> words) const {
@@ -27,11 +24,6 @@ void JsonNode::refuse(FileProblem problem, std::vector<double> numbers, std::vec
     error.numbers = std::move(numbers);
     error.words = std::move(words);
     throw Refused{std::move(error)};
-}
-
-std::string_view JsonNode::textAt(std::uint32_t index) const {
-    const auto text = tape_->entries[index].text;
-    return std::string_view(tape_->texts).substr(text.offset, text.size);
 }
 
 double JsonNode::number(double low, double high) const {
@@ -64,9 +56,9 @@ bool JsonNode::trueOrFalse() const {
 }
 
 std::string JsonNode::text() const {
-    if (entry().kind != JsonKind::text || textAt(index_).find('\0') != std::string_view::npos)
+    if (entry().kind != JsonKind::text || textOf(*tape_, index_).find('\0') != std::string_view::npos)
         refuse(FileProblem::expectedText);
-    return std::string(textAt(index_));
+    return std::string(textOf(*tape_, index_));
 }
 
 Vector JsonNode::vector() const {
@@ -102,27 +94,6 @@ std::size_t JsonNode::listSize(std::size_t atMost) const {
     return size;
 }
 
-std::vector<std::pair<std::string_view, JsonNode>> JsonNode::members() const {
-    if (entry().kind != JsonKind::object)
-        refuse(FileProblem::expectedObject);
-    std::vector<std::pair<std::string_view, JsonNode>> members;
-    for (std::uint32_t i = index_ + 1; i < entry().next; i = tape_->entries[i + 1].next) {
-        JsonNode member(*tape_, i + 1, this);
-        member.key_ = textAt(i);
-        members.emplace_back(member.key_, member);
-    }
-    std::vector<std::string_view> keys;
-    keys.reserve(members.size());
-    for (const auto& [key, member] : members)
-        keys.push_back(key);
-    std::sort(keys.begin(), keys.end());
-    if (const auto twice = std::adjacent_find(keys.begin(), keys.end()); twice != keys.end())
-        std::find_if(members.begin(), members.end(), [&](const auto& m) {
-            return m.first == *twice;
-        })->second.refuse(FileProblem::repeatedKey);
-    return members;
-}
-
 std::size_t JsonNode::indexOfKey(std::optional<std::size_t> count) const {
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(key_.data(), key_.data() + key_.size(), index);
@@ -133,17 +104,20 @@ std::size_t JsonNode::indexOfKey(std::optional<std::size_t> count) const {
     return index;
 }
 
-JsonObject::JsonObject(const JsonNode& node, std::initializer_list<std::string_view> keys)
-    : node_(&node)
-    , members_(node.members()) {
-    for (const auto& [key, member] : members_)
-        if (std::find(keys.begin(), keys.end(), key) == keys.end())
+JsonObject::JsonObject(const JsonNode& node, std::span<const std::string_view> keys)
+    : node_(&node) {
+    node.forEachMember([&](const JsonNode& member) {
+        if (std::find(keys.begin(), keys.end(), member.key_) == keys.end())
             member.refuse(FileProblem::unknownKey);
+        if (find(member.key_))
+            member.refuse(FileProblem::repeatedKey);
+        members_.push_back(member);
+    });
 }
 
 const JsonNode* JsonObject::find(std::string_view key) const {
-    const auto found = std::find_if(members_.begin(), members_.end(), [&](const auto& m) { return m.first == key; });
-    return found == members_.end() ? nullptr : &found->second;
+    const auto found = std::find_if(members_.begin(), members_.end(), [&](const JsonNode& m) { return m.key_ == key; });
+    return found == members_.end() ? nullptr : &*found;
 }
 
 const JsonNode& JsonObject::require(std::string_view key) const {

@@ -4,8 +4,10 @@
 #include "core/document/limits.h"
 #include "core/geometry/point.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace kriva {
@@ -42,11 +44,9 @@ class JsonNode {
     /// Calls visit(JsonNode element) for each element of a list.
     template <class Visit>
     void forEachElement(Visit visit) const;
-    /// Calls visit(std::string_view key, JsonNode member) for each member of an object; refuses repeated keys.
-    template <class Visit>
-    void forEachMember(Visit visit) const;
-    /// As forEachMember, for an object whose keys are indices from 0 to below `count`, decimal without leading zero;
-    /// with count nothing, any index below the largest number of points is accepted.
+    /// Calls visit(int index, JsonNode member) for each member of an object whose keys are indices from 0 to below
+    /// `count`, decimal without sign or leading zero; with count nothing, any index below the largest number of points
+    /// is accepted. Refuses repeated keys.
     template <class Visit>
     void forEachIndexed(std::optional<std::size_t> count, Visit visit) const;
 
@@ -61,8 +61,9 @@ class JsonNode {
     friend class JsonObject;
 
     [[nodiscard]] const JsonEntry& entry() const { return tape_->entries[index_]; }
-    [[nodiscard]] std::string_view textAt(std::uint32_t index) const;
-    [[nodiscard]] std::vector<std::pair<std::string_view, JsonNode>> members() const;
+    /// Calls visit(JsonNode member) for each member of an object in the order of the text, repeated keys included.
+    template <class Visit>
+    void forEachMember(Visit visit) const;
     [[nodiscard]] std::size_t indexOfKey(std::optional<std::size_t> count) const;
 
     const JsonTape* tape_;
@@ -75,21 +76,23 @@ class JsonNode {
 /// An object whose keys are all known beforehand; refuses unknown and repeated ones.
 class JsonObject {
   public:
-    JsonObject(const JsonNode& node, std::initializer_list<std::string_view> keys);
+    JsonObject(const JsonNode& node, std::span<const std::string_view> keys);
+    JsonObject(const JsonNode& node, std::initializer_list<std::string_view> keys)
+        : JsonObject(node, std::span(keys.begin(), keys.size())) {}
 
     [[nodiscard]] const JsonNode* find(std::string_view key) const;
     [[nodiscard]] const JsonNode& require(std::string_view key) const;
 
   private:
     const JsonNode* node_;
-    std::vector<std::pair<std::string_view, JsonNode>> members_;
+    std::vector<JsonNode> members_;
 };
 
 template <class Value>
 Value JsonNode::oneOf(std::initializer_list<std::pair<std::string_view, Value>> table) const {
     std::vector<std::string> words;
     for (const auto& [word, value] : table) {
-        if (entry().kind == JsonKind::text && textAt(index_) == word)
+        if (entry().kind == JsonKind::text && textOf(*tape_, index_) == word)
             return value;
         words.emplace_back(word);
     }
@@ -110,14 +113,26 @@ void JsonNode::forEachElement(Visit visit) const {
 
 template <class Visit>
 void JsonNode::forEachMember(Visit visit) const {
-    for (const auto& [key, member] : members())
-        visit(key, member);
+    if (entry().kind != JsonKind::object)
+        refuse(FileProblem::expectedObject);
+    for (std::uint32_t i = index_ + 1; i < entry().next; i = tape_->entries[i + 1].next) {
+        JsonNode member(*tape_, i + 1, this);
+        member.key_ = textOf(*tape_, i);
+        visit(std::as_const(member));
+    }
 }
 
 template <class Visit>
 void JsonNode::forEachIndexed(std::optional<std::size_t> count, Visit visit) const {
-    for (const auto& [key, member] : members())
-        visit(static_cast<int>(member.indexOfKey(count)), member);
+    std::vector<bool> isThere;
+    forEachMember([&](const JsonNode& member) {
+        const std::size_t index = member.indexOfKey(count);
+        isThere.resize(std::max(isThere.size(), index + 1));
+        if (isThere[index])
+            member.refuse(FileProblem::repeatedKey);
+        isThere[index] = true;
+        visit(static_cast<int>(index), member);
+    });
 }
 
 } // namespace kriva

@@ -6,20 +6,41 @@
 
 #include <algorithm>
 #include <charconv>
+#include <locale.h> // newlocale and uselocale: POSIX, not in <clocale>
 
 namespace kriva {
 namespace {
 
+/// Makes the C library read a point as the decimal sign in this thread: the library below asks it for numbers, and
+/// would take a valid number for a wrong one where the process's locale has another sign.
+class PointLocale {
+  public:
+    PointLocale()
+        : point_(newlocale(LC_NUMERIC_MASK, "C", nullptr))
+        , before_(uselocale(point_)) {}
+    ~PointLocale() {
+        uselocale(before_);
+        freelocale(point_);
+    }
+    PointLocale(const PointLocale&) = delete;
+    PointLocale& operator=(const PointLocale&) = delete;
+
+  private:
+    locale_t point_;
+    locale_t before_;
+};
+
 struct Outline {
-    std::size_t values = 0; ///< an upper bound
+    std::size_t entries = 1; ///< values and keys, if the text is JSON
     std::size_t tooDeepAt = std::string_view::npos;
 };
 
-/// Counts values and depth without parsing: brackets and commas outside texts.
+/// Counts entries and depth without parsing, by brackets, commas and colons outside texts.
 Outline outlineOf(std::string_view text) {
-    Outline outline{1, std::string_view::npos};
+    Outline outline;
     int depth = 0;
     bool isInText = false;
+    char before = 0; // blanks left out
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         if (isInText) {
@@ -29,18 +50,20 @@ Outline outlineOf(std::string_view text) {
                 isInText = false;
             continue;
         }
-        if (c == '"')
-            isInText = true;
-        else if (c == ',' || c == ':')
-            ++outline.values;
-        else if (c == '[' || c == '{') {
-            ++outline.values;
-            if (++depth > limits::kNesting) {
-                outline.tooDeepAt = i;
-                return outline;
-            }
-        } else if (c == ']' || c == '}')
+        if (c == ' ' || c == '\n' || c == '\r' || c == '\t')
+            continue;
+        const bool isOpening = c == '[' || c == '{';
+        const bool isClosing = c == ']' || c == '}';
+        if (c == ',' || c == ':' || ((before == '[' || before == '{') && !isClosing))
+            ++outline.entries;
+        if (isOpening && ++depth > limits::kNesting) {
+            outline.tooDeepAt = i;
+            break;
+        }
+        if (isClosing)
             --depth;
+        isInText = c == '"';
+        before = c;
     }
     return outline;
 }
@@ -53,16 +76,15 @@ class TapeBuilder {
 
     bool null() { return add(JsonKind::null, 0); }
     bool boolean(bool value) { return add(JsonKind::boolean, value ? 1 : 0); }
-    bool number_integer(std::int64_t value) { return add(JsonKind::number, static_cast<double>(value)); }
+    // The library calls this for tokens with a sign only: its integer 0 was "-0".
+    bool number_integer(std::int64_t value) {
+        return add(JsonKind::number, value == 0 ? -0.0 : static_cast<double>(value));
+    }
     bool number_unsigned(std::uint64_t value) { return add(JsonKind::number, static_cast<double>(value)); }
-    bool number_float(double parsed, const std::string& token) {
-        // The library's own value depends on the locale, and under a comma locale its token carries a comma.
-        std::string digits = token;
-        std::replace(digits.begin(), digits.end(), ',', '.');
-        double value = parsed;
-        const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        // Out of range is an underflow here (overflow is an error of the library): the library's value stands.
-        return add(JsonKind::number, result.ec == std::errc() ? value : parsed);
+    bool number_float(double value, const std::string& token) {
+        // Leaves the library's value where the token is too small for it.
+        std::from_chars(token.data(), token.data() + token.size(), value);
+        return add(JsonKind::number, value);
     }
     bool string(const std::string& value) {
         JsonEntry entry;
@@ -80,12 +102,23 @@ class TapeBuilder {
     bool end_array() { return close(); }
     // Binary values exist in other formats of the library only.
     bool binary(const nlohmann::json::binary_t&) { return false; }
-    bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception&) {
+    bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception& error) {
+        constexpr int kNumberOverflow = 406; // of the library's documentation
         errorByte_ = byte;
+        isOverflow_ = error.id == kNumberOverflow;
         return false;
     }
 
-    [[nodiscard]] std::size_t errorByte() const { return errorByte_; }
+    /// Why the library stopped: a number beyond the range of doubles is JSON, and so has a place.
+    [[nodiscard]] FileError error(std::string_view text) const {
+        if (!isOverflow_)
+            return errorAtByte(FileProblem::notJson, text, std::max<std::size_t>(errorByte_, 1) - 1);
+        FileError error;
+        error.problem = FileProblem::numberOutOfRange;
+        error.place = placeOfNext();
+        error.numbers = {-limits::kNumber, limits::kNumber};
+        return error;
+    }
 
   private:
     [[nodiscard]] std::uint32_t nextIndex() const { return static_cast<std::uint32_t>(tape_.entries.size()); }
@@ -96,6 +129,22 @@ class TapeBuilder {
         entry.next = nextIndex() + 1;
         tape_.entries.push_back(entry);
         return true;
+    }
+    /// The place of the value that would come next.
+    [[nodiscard]] std::string placeOfNext() const {
+        std::string place;
+        for (std::size_t depth = 0; depth < open_.size(); ++depth) {
+            const std::uint32_t end = depth + 1 < open_.size() ? open_[depth + 1] : nextIndex();
+            if (tape_.entries[open_[depth]].kind == JsonKind::object) {
+                appendKey(place, textOf(tape_, end - 1));
+                continue;
+            }
+            std::size_t position = 0;
+            for (std::uint32_t i = open_[depth] + 1; i < end; i = tape_.entries[i].next)
+                ++position;
+            appendPosition(place, position);
+        }
+        return place;
     }
     bool open(JsonKind kind) {
         open_.push_back(nextIndex());
@@ -110,25 +159,33 @@ class TapeBuilder {
     JsonTape& tape_;
     std::vector<std::uint32_t> open_;
     std::size_t errorByte_ = 0;
+    bool isOverflow_ = false;
 };
 
 } // namespace
+
+std::string_view textOf(const JsonTape& tape, std::uint32_t index) {
+    const auto text = tape.entries[index].text;
+    return std::string_view(tape.texts).substr(text.offset, text.size);
+}
 
 std::variant<JsonTape, FileError> parseJson(std::string_view text) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // the library would take it in silence
     if (text.starts_with(kByteOrderMark))
         return errorAtByte(FileProblem::notJson, text, 0);
+    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) // and this for the end
+        return errorAtByte(FileProblem::notJson, text, nul);
     const Outline outline = outlineOf(text);
-    if (outline.tooDeepAt != std::string_view::npos) {
-        FileError error = errorAtByte(FileProblem::nestedTooDeep, text, outline.tooDeepAt);
-        error.numbers = {limits::kNesting};
-        return error;
-    }
+    if (outline.tooDeepAt != std::string_view::npos)
+        return errorAtByte(FileProblem::nestedTooDeep, text, outline.tooDeepAt);
     JsonTape tape;
-    tape.entries.reserve(outline.values);
+    // Whatever a text that is no JSON says: an entry takes at least two bytes, itself and what divides it from the
+    // next.
+    tape.entries.reserve(std::min(outline.entries, text.size() / 2 + 1));
     TapeBuilder builder(tape);
+    const PointLocale pointLocale;
     if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder))
-        return errorAtByte(FileProblem::notJson, text, std::max<std::size_t>(builder.errorByte(), 1) - 1);
+        return builder.error(text);
     return tape;
 }
 

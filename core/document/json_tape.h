@@ -35,8 +35,12 @@ struct JsonTape {
     std::string texts;
 };
 
+/// The text or key that stands at an index of the tape.
+[[nodiscard]] std::string_view textOf(const JsonTape& tape, std::uint32_t index);
+
 /// Reads strict JSON in UTF-8 without a byte order mark, at most 64 levels deep; refuses anything else with line and
-/// column. Numbers are the nearest doubles, whatever the process's locale.
+/// column, but a number beyond the range of doubles with its place. Numbers are the nearest doubles, whatever the
+/// process's locale; -0 keeps its sign.
 [[nodiscard]] std::variant<JsonTape, FileError> parseJson(std::string_view text);
 
 } // namespace kriva

@@ -29,13 +29,16 @@ void readView(const JsonNode& node, CurveView& view) {
         view.isShown = shown->trueOrFalse();
 }
 
-void readView(const JsonNode& node, SheetView& view) {
+void readView(const JsonNode& node, SheetView& view, std::span<const std::string_view> layers) {
     const JsonObject object(node, {"activeCurve", "layers", "mmPerUnit"});
     if (const JsonNode* active = object.find("activeCurve"))
         view.activeCurve = active->wholeNumber(0, static_cast<int>(limits::kCurvesInSheet) - 1);
-    if (const JsonNode* layers = object.find("layers"))
-        layers->forEachMember(
-            [&](std::string_view name, const JsonNode& isShown) { view.layers.emplace(name, isShown.trueOrFalse()); });
+    if (const JsonNode* shown = object.find("layers")) {
+        const JsonObject shownLayers(*shown, layers);
+        for (const std::string_view name : layers)
+            if (const JsonNode* isShown = shownLayers.find(name))
+                view.layers.emplace(name, isShown->trueOrFalse());
+    }
     if (const JsonNode* scale = object.find("mmPerUnit"))
         view.mmPerUnit = scale->number(kScaleLow, kScaleHigh);
 }

@@ -8,7 +8,8 @@ namespace kriva {
 
 void readStyle(const JsonNode& node, CurveStyle& style);
 void readView(const JsonNode& node, CurveView& view);
-void readView(const JsonNode& node, SheetView& view);
+/// `layers`: the names of the layers that the sheet has.
+void readView(const JsonNode& node, SheetView& view, std::span<const std::string_view> layers);
 void writeStyle(JsonWriter& json, const CurveStyle& style);
 void writeView(JsonWriter& json, const CurveView& view);
 void writeView(JsonWriter& json, const SheetView& view);
