@@ -1,6 +1,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/export_command.h"
 #include "app/commands/report_command.h"
+#include "app/editor.h"
 
 #include <QApplication>
 #include <QHashSeed>
@@ -57,7 +58,7 @@ int main(int argc, char** argv) {
     EditorRequest editor;
     if (const std::optional<ExitCode> code = runCommand(argc, argv, editor))
         return static_cast<int>(*code);
-    const QApplication application(argc, argv);
+    QApplication application(argc, argv);
     logToTerminal();
-    return QApplication::exec();
+    return kriva::runEditor(application, editor.files);
 }

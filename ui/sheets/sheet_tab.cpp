@@ -12,6 +12,11 @@
 #include <QScrollArea>
 
 namespace kriva::ui {
+namespace {
+
+constexpr double kPixelsPerMillimetre = 96 / 25.4;
+
+} // namespace
 
 SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, QWidget* parent)
     : QMainWindow(parent)
@@ -25,6 +30,7 @@ SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, 
 
     connect(&document, &OpenDocument::replaced, this, [this] {
         showAllCurves();
+        followPage();
         canvas_->fitAll();
     });
     connect(&document, &OpenDocument::curvesChanged, this, [this](SheetIndex changed) {
@@ -110,6 +116,11 @@ CanvasCurve SheetTab::canvasCurve(Serial serial) const {
         shown.grips = grips(curve);
     }
     return shown;
+}
+
+void SheetTab::followPage() {
+    const Box box = controlBox(figureOf(editor_.sheet(), editor_.index()));
+    canvas_->setUnitScale(pageOf(box, editor_.sheet().view.mmPerUnit).mmPerUnit * kPixelsPerMillimetre);
 }
 
 void SheetTab::showAllCurves() {

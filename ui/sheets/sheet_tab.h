@@ -53,6 +53,9 @@ class SheetTab : public QMainWindow, private CanvasClient {
     void retranslateUi();
     [[nodiscard]] CanvasCurve canvasCurve(Serial serial) const;
     void showAllCurves();
+    /// 100 % is the size of the page at 96 dpi. A page grows with its curves, but not under the pointer: only a new
+    /// document sets the scale.
+    void followPage();
     void updateCurve(Serial serial);
 
     struct Panel {

@@ -1,0 +1,37 @@
+#include "app/editor.h"
+
+#include "app/sheet_catalog.h"
+#include "ui/shell/desktop_scheme.h"
+#include "ui/shell/document_session.h"
+#include "ui/shell/examples.h"
+#include "ui/shell/language.h"
+#include "ui/shell/main_window.h"
+#include "ui/shell/preferences.h"
+#include "ui/shell/theme.h"
+
+#include <QApplication>
+
+namespace kriva {
+
+int runEditor(QApplication& application, const QStringList& files) {
+    ui::Preferences preferences;
+    ui::LanguageSwitch language(preferences.language().value_or(ui::systemLanguage()));
+    const ui::DesktopScheme desktop;
+    ui::ThemeSwitch theme(preferences.theme(), desktop);
+    const auto sheets = sheetCatalog();
+    const ui::MainWindow::Surroundings surroundings{preferences, language, theme, sheets};
+    const auto open = [&](const QString& file) {
+        auto* window = new ui::MainWindow(surroundings);
+        window->setAttribute(Qt::WA_DeleteOnClose);
+        window->show();
+        if (file.isEmpty() || !window->session().openFile(file))
+            window->session().show(ui::startDocument());
+    };
+    for (const QString& file : files)
+        open(file);
+    if (files.isEmpty())
+        open({});
+    return application.exec();
+}
+
+} // namespace kriva
