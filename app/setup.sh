@@ -56,8 +56,6 @@ install_missing() {
 build() {
     local preset=$1
     shift
-    # The same sources in another folder are found in the compiler's cache too.
-    export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
     say "building $preset"
     (
         cd "$root" || exit
