@@ -18,6 +18,9 @@ namespace kriva {
 [[nodiscard]] inline std::size_t pointCount(const CombinedCurve& curve) {
     return curve.points.size();
 }
+[[nodiscard]] inline Point pointAt(const CombinedCurve& curve, int index) {
+    return curve.points[static_cast<std::size_t>(index)];
+}
 /// How many points its results hold that are limited over the whole sheet: none.
 [[nodiscard]] inline std::size_t derivedPointCount(const CombinedCurve&) {
     return 0;

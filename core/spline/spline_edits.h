@@ -16,6 +16,9 @@ namespace kriva {
 [[nodiscard]] inline std::size_t pointCount(const SplineCurve& curve) {
     return curve.knots.size();
 }
+[[nodiscard]] inline Point pointAt(const SplineCurve& curve, int index) {
+    return curve.knots[static_cast<std::size_t>(index)].at;
+}
 /// How many points its results hold beyond its own: none that are limited.
 [[nodiscard]] inline std::size_t derivedPointCount(const SplineCurve&) {
     return 0;

@@ -12,6 +12,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QMessageBox>
+#include <QShortcut>
 
 namespace kriva::ui {
 
@@ -48,6 +49,8 @@ void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
         auto* tab = new SheetTab(document_, sheet, sheets[sheet], this);
         tabs_.push_back(tab);
         tabWidget_->addTab(tab, QString());
+        auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + sheet)), this);
+        connect(shortcut, &QShortcut::activated, this, [this, sheet] { document_.setActiveSheet(sheet); });
         connect(tab, &SheetTab::hintChanged, status_, &StatusRow::showHint);
         connect(&tab->canvas(), &CanvasView::pointerMoved, status_, &StatusRow::showPointer);
         connect(&tab->canvas(), &CanvasView::zoomChanged, status_, &StatusRow::showZoom);
