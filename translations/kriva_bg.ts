@@ -1,4 +1,1380 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="bg" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Нов</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Отваряне…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Запазване</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Запазване &amp;като…</translation>
+    </message>
+    <message>
+        <source>&amp;Export figure…</source>
+        <translation>Изнасяне на &amp;фигура…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Изход</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Отмяна</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Повтаряне</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Изтриване</translation>
+    </message>
+    <message>
+        <source>Delete &amp;last point</source>
+        <translation>Изтриване на &amp;последната точка</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the canvas</source>
+        <translation>Изчистване на п&amp;латното</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>Избиране на &amp;всичко</translation>
+    </message>
+    <message>
+        <source>Select n&amp;one</source>
+        <translation>&amp;Без избор</translation>
+    </message>
+    <message>
+        <source>&amp;Invert the selection</source>
+        <translation>Об&amp;ръщане на избора</translation>
+    </message>
+    <message>
+        <source>&amp;New curve</source>
+        <translation>&amp;Нова крива</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate the curve</source>
+        <translation>&amp;Дублиране на кривата</translation>
+    </message>
+    <message>
+        <source>De&amp;lete the curve</source>
+        <translation>&amp;Изтриване на кривата</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt curve</source>
+        <translation>&amp;Следваща крива</translation>
+    </message>
+    <message>
+        <source>&amp;Reverse</source>
+        <translation>&amp;Обръщане</translation>
+    </message>
+    <message>
+        <source>&amp;Edit tool</source>
+        <translation>Инструмент за &amp;редактиране</translation>
+    </message>
+    <message>
+        <source>&amp;Add tool</source>
+        <translation>Инструмент за &amp;добавяне</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>&amp;Увеличаване</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>&amp;Намаляване</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;100 %</source>
+        <translation>Мащаб &amp;100 %</translation>
+    </message>
+    <message>
+        <source>&amp;Fit all</source>
+        <translation>&amp;Всичко в изгледа</translation>
+    </message>
+    <message>
+        <source>Fit &amp;selection</source>
+        <translation>&amp;Избраното в изгледа</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Мрежа</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>&amp;Оси</translation>
+    </message>
+    <message>
+        <source>&amp;Reset panels</source>
+        <translation>Върни &amp;панелите</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>&amp;Цял екран</translation>
+    </message>
+    <message>
+        <source>&amp;About Kriva</source>
+        <translation>&amp;Относно Крива</translation>
+    </message>
+    <message>
+        <source>About &amp;Qt</source>
+        <translation>Относно &amp;Qt</translation>
+    </message>
+</context>
+<context>
+    <name>Caption</name>
+    <message>
+        <source>Degree elevation</source>
+        <translation>Повишаване на степента</translation>
+    </message>
+    <message>
+        <source>Subdivision</source>
+        <translation>Подразделяне</translation>
+    </message>
+    <message>
+        <source>Spline</source>
+        <translation>Сплайн</translation>
+    </message>
+    <message>
+        <source>Combined algorithm</source>
+        <translation>Комбиниран алгоритъм</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Крива</translation>
+    </message>
+    <message>
+        <source>Control polygon</source>
+        <translation>Контролен полигон</translation>
+    </message>
+    <message>
+        <source>Elevated polygon</source>
+        <translation>Полигон с повишена степен</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Точки</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Означения</translation>
+    </message>
+    <message>
+        <source>De Casteljau scheme</source>
+        <translation>Схема на дьо Кастелжо</translation>
+    </message>
+    <message>
+        <source>Curves of degree n − 1</source>
+        <translation>Криви от степен n − 1</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Части</translation>
+    </message>
+    <message>
+        <source>Left polygon</source>
+        <translation>Ляв полигон</translation>
+    </message>
+    <message>
+        <source>Right polygon</source>
+        <translation>Десен полигон</translation>
+    </message>
+    <message>
+        <source>Point of the curve</source>
+        <translation>Точка от кривата</translation>
+    </message>
+    <message>
+        <source>Blossom</source>
+        <translation>Полярна форма (blossom)</translation>
+    </message>
+    <message>
+        <source>Labels of left and right</source>
+        <translation>Означения на ляв и десен</translation>
+    </message>
+    <message>
+        <source>Degree</source>
+        <translation>Степен</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Дължина</translation>
+    </message>
+    <message>
+        <source>Bounds</source>
+        <translation>Граници</translation>
+    </message>
+    <message>
+        <source>Degree after elevation</source>
+        <translation>Степен след повишаването</translation>
+    </message>
+    <message>
+        <source>Gap between polygon and curve</source>
+        <translation>Разстояние между полигона и кривата</translation>
+    </message>
+    <message>
+        <source>Point at t</source>
+        <translation>Точка при t</translation>
+    </message>
+    <message>
+        <source>Derivative at t</source>
+        <translation>Производна при t</translation>
+    </message>
+    <message>
+        <source>Number of pieces</source>
+        <translation>Брой на частите</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>Възли</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Манипулатори</translation>
+    </message>
+    <message>
+        <source>End derivatives</source>
+        <translation>Производни в краищата</translation>
+    </message>
+    <message>
+        <source>Length of segment</source>
+        <translation>Дължина на сегмент</translation>
+    </message>
+    <message>
+        <source>Coefficients of segment</source>
+        <translation>Коефициенти на сегмент</translation>
+    </message>
+    <message>
+        <source>Continuity at knot</source>
+        <translation>Непрекъснатост във възел</translation>
+    </message>
+    <message>
+        <source>Extrema of the curvature</source>
+        <translation>Екстремуми на кривината</translation>
+    </message>
+    <message>
+        <source>Bending energy</source>
+        <translation>Енергия на огъване</translation>
+    </message>
+    <message>
+        <source>Polygon of the given points</source>
+        <translation>Полигон на опорните точки</translation>
+    </message>
+    <message>
+        <source>Monotone runs</source>
+        <translation>Монотонни участъци</translation>
+    </message>
+    <message>
+        <source>Joins</source>
+        <translation>Съединения</translation>
+    </message>
+    <message>
+        <source>Middle points of pairs</source>
+        <translation>Междинни точки на двойките</translation>
+    </message>
+    <message>
+        <source>Numbers of runs</source>
+        <translation>Номера на участъците</translation>
+    </message>
+    <message>
+        <source>Points of run</source>
+        <translation>Точки на участък</translation>
+    </message>
+    <message>
+        <source>Degree of run</source>
+        <translation>Степен на участък</translation>
+    </message>
+    <message>
+        <source>Coefficients of run</source>
+        <translation>Коефициенти на участък</translation>
+    </message>
+    <message>
+        <source>Residual (root mean square) of run</source>
+        <translation>Остатък (средноквадратичен) на участък</translation>
+    </message>
+    <message>
+        <source>Largest residual of run</source>
+        <translation>Най-голям остатък на участък</translation>
+    </message>
+    <message>
+        <source>Largest kink</source>
+        <translation>Най-голямо пречупване</translation>
+    </message>
+    <message>
+        <source>Slope variation</source>
+        <translation>Вариация на наклона</translation>
+    </message>
+    <message>
+        <source>This curve needs more points</source>
+        <translation>Тази крива се нуждае от още точки</translation>
+    </message>
+</context>
+<context>
+    <name>CommandLine</name>
+    <message>
+        <source>unknown option %1</source>
+        <translation>непозната опция %1</translation>
+    </message>
+    <message>
+        <source>a value is missing behind %1</source>
+        <translation>липсва стойност след %1</translation>
+    </message>
+    <message>
+        <source>unknown language %1</source>
+        <translation>непознат език %1</translation>
+    </message>
+    <message>
+        <source>there is no sheet %1</source>
+        <translation>няма лист %1</translation>
+    </message>
+    <message>
+        <source>the option --%1 does not belong here</source>
+        <translation>опцията --%1 не е за тук</translation>
+    </message>
+    <message>
+        <source>export needs one file</source>
+        <translation>export изисква един файл</translation>
+    </message>
+    <message>
+        <source>export needs the file to write: -o OUT.svg</source>
+        <translation>export изисква файл за запис: -o OUT.svg</translation>
+    </message>
+    <message>
+        <source>%1: figures are written as .svg</source>
+        <translation>%1: фигурите се записват като .svg</translation>
+    </message>
+    <message>
+        <source>report needs one file</source>
+        <translation>report изисква един файл</translation>
+    </message>
+    <message>
+        <source>there is no format %1</source>
+        <translation>няма формат %1</translation>
+    </message>
+    <message>
+        <source>kriva [FILE...]
+    opens the editor
+kriva export FILE -o OUT.svg [--sheet NAME]
+    draws a sheet: the one named, else the one that was shown when the document was saved
+kriva report FILE [--format json|text] [--sheet NAME]
+    prints the numbers of a document
+
+    --language CODE   en, bg, sl or uk; else the language of the system
+    --sheet NAME      elevation, subdivision, spline or combined
+    --help            this text
+    --version         the version
+
+Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
+</source>
+        <translation>kriva [FILE...]
+    отваря редактора
+kriva export FILE -o OUT.svg [--sheet NAME]
+    чертае лист: посочения, иначе показвания при запазването на документа
+kriva report FILE [--format json|text] [--sheet NAME]
+    отпечатва числата на документ
+
+    --language CODE   en, bg, sl или uk; иначе езикът на системата
+    --sheet NAME      elevation, subdivision, spline или combined
+    --help            този текст
+    --version         версията
+
+Кодове на изход: 0 готово, 1 неуспех, 2 грешна употреба, 3 отказан вход, 4 изходът не е записан.
+</translation>
+    </message>
+    <message>
+        <source>%1: there is no curve to draw</source>
+        <translation>%1: няма крива за чертане</translation>
+    </message>
+    <message>
+        <source>the output could not be written</source>
+        <translation>изходът не можа да бъде записан</translation>
+    </message>
+    <message>
+        <source>the editor needs a display; export and report do without one</source>
+        <translation>редакторът изисква екран; export и report минават и без него</translation>
+    </message>
+    <message>
+        <source>%1; kriva --help tells more</source>
+        <translation>%1; повече казва kriva --help</translation>
+    </message>
+</context>
+<context>
+    <name>Errors</name>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>ред %1, колона %2</translation>
+    </message>
+    <message>
+        <source>this is no JSON</source>
+        <translation>това не е JSON</translation>
+    </message>
+    <message>
+        <source>nested more than %1 deep</source>
+        <translation>вложено на повече от %1 нива</translation>
+    </message>
+    <message>
+        <source>this is no document of Kriva</source>
+        <translation>това не е документ на Kriva</translation>
+    </message>
+    <message>
+        <source>version %1 needs a newer Kriva</source>
+        <translation>версия %1 изисква по-нова Kriva</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>непознат ключ</translation>
+    </message>
+    <message>
+        <source>the key stands here twice</source>
+        <translation>ключът стои тук два пъти</translation>
+    </message>
+    <message>
+        <source>the key “%1” is missing</source>
+        <translation>липсва ключът „%1“</translation>
+    </message>
+    <message>
+        <source>expected an object</source>
+        <translation>очакваше се обект</translation>
+    </message>
+    <message>
+        <source>expected a list</source>
+        <translation>очакваше се списък</translation>
+    </message>
+    <message>
+        <source>expected a text</source>
+        <translation>очакваше се текст</translation>
+    </message>
+    <message>
+        <source>expected true or false</source>
+        <translation>очакваше се true или false</translation>
+    </message>
+    <message>
+        <source>expected a number</source>
+        <translation>очакваше се число</translation>
+    </message>
+    <message>
+        <source>expected a whole number from %1 to %2</source>
+        <translation>очакваше се цяло число от %1 до %2</translation>
+    </message>
+    <message>
+        <source>expected a number from %1 to %2</source>
+        <translation>очакваше се число от %1 до %2</translation>
+    </message>
+    <message>
+        <source>expected a number between %1 and %2</source>
+        <translation>очакваше се число между %1 и %2</translation>
+    </message>
+    <message>
+        <source>expected two finite numbers</source>
+        <translation>очакваха се две крайни числа</translation>
+    </message>
+    <message>
+        <source>expected one of: %1</source>
+        <translation>очакваше се едно от: %1</translation>
+    </message>
+    <message>
+        <source>expected a colour like #0072b2</source>
+        <translation>очакваше се цвят като #0072b2</translation>
+    </message>
+    <message numerus="yes">
+        <source>expected %n element(s)</source>
+        <translation>
+            <numerusform>очакваше се %n елемент</numerusform>
+            <numerusform>очакваха се %n елемента</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>more than %1 is too many</source>
+        <translation>повече от %1 е твърде много</translation>
+    </message>
+    <message>
+        <source>no such index</source>
+        <translation>няма такъв индекс</translation>
+    </message>
+    <message>
+        <source>the file is larger than %1 bytes</source>
+        <translation>файлът е по-голям от %1 байта</translation>
+    </message>
+    <message>
+        <source>this figure has no document of Kriva inside</source>
+        <translation>в тази фигура няма документ на Kriva</translation>
+    </message>
+    <message>
+        <source>this is no XML</source>
+        <translation>това не е XML</translation>
+    </message>
+    <message>
+        <source>the document type has declarations of its own</source>
+        <translation>типът на документа има собствени декларации</translation>
+    </message>
+    <message>
+        <source>more than %1 elements are too many</source>
+        <translation>повече от %1 елемента са твърде много</translation>
+    </message>
+    <message>
+        <source>more than %1 attributes are too many</source>
+        <translation>повече от %1 атрибута са твърде много</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file</source>
+        <translation>%1: няма такъв файл</translation>
+    </message>
+    <message>
+        <source>%1: this is no regular file</source>
+        <translation>%1: това не е обикновен файл</translation>
+    </message>
+    <message>
+        <source>%1: the file is larger than %2 bytes</source>
+        <translation>%1: файлът е по-голям от %2 байта</translation>
+    </message>
+    <message>
+        <source>%1: reading is not permitted</source>
+        <translation>%1: четенето не е позволено</translation>
+    </message>
+    <message>
+        <source>%1: the file cannot be read (%2)</source>
+        <translation>%1: файлът не може да се прочете (%2)</translation>
+    </message>
+    <message>
+        <source>%1: there is no such folder</source>
+        <translation>%1: няма такава папка</translation>
+    </message>
+    <message>
+        <source>%1: writing is not permitted</source>
+        <translation>%1: писането не е позволено</translation>
+    </message>
+    <message>
+        <source>%1: there is no space left</source>
+        <translation>%1: няма повече място</translation>
+    </message>
+    <message>
+        <source>%1: the file cannot be written (%2)</source>
+        <translation>%1: файлът не може да се запише (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>ExportFigure</name>
+    <message>
+        <source>Export figure</source>
+        <translation>Изнасяне на фигура</translation>
+    </message>
+    <message>
+        <source>SVG figures (*.svg)</source>
+        <translation>Фигури SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>The figure was not written</source>
+        <translation>Фигурата не беше записана</translation>
+    </message>
+</context>
+<context>
+    <name>Hint</name>
+    <message>
+        <source>The clipboard holds no table of two numbers in each line</source>
+        <translation>В клипборда няма таблица с две числа на всеки ред</translation>
+    </message>
+    <message>
+        <source>Drag: move the handle</source>
+        <translation>Влачене: премества манипулатора</translation>
+    </message>
+    <message>
+        <source>Alt+click: remove the point</source>
+        <translation>Alt+щракване: премахва точката</translation>
+    </message>
+    <message>
+        <source>Drag: move the point, Ctrl: along an axis   Alt+click: remove it</source>
+        <translation>Влачене: премества точката, Ctrl: по оста   Alt+щракване: премахва я</translation>
+    </message>
+    <message>
+        <source>Drag: mould the curve   Double-click: insert a point</source>
+        <translation>Влачене: извива кривата   Двойно щракване: вмъква точка</translation>
+    </message>
+    <message>
+        <source>Click: add a point   Esc: end</source>
+        <translation>Щракване: добавя точка   Esc: край</translation>
+    </message>
+    <message>
+        <source>Alt+click: add a point</source>
+        <translation>Alt+щракване: добавя точка</translation>
+    </message>
+    <message>
+        <source>Double-click or Alt+click: add a point   Drag: select points   Ctrl+wheel: zoom</source>
+        <translation>Двойно щракване или Alt+щракване: добавя точка   Влачене: избира точки   Ctrl+колелце: мащаб</translation>
+    </message>
+    <message>
+        <source>No point can be inserted here</source>
+        <translation>Тук не може да се вмъкне точка</translation>
+    </message>
+    <message>
+        <source>This curve follows its points; drag them</source>
+        <translation>Тази крива следва точките си; влачете тях</translation>
+    </message>
+    <message>
+        <source>The blossom needs as many numbers as the degree</source>
+        <translation>Полярната форма изисква толкова числа, колкото е степента</translation>
+    </message>
+</context>
+<context>
+    <name>Menus</name>
+    <message>
+        <source>A cubic raised 97 times</source>
+        <translation>Кубична крива, повишена 97 пъти</translation>
+    </message>
+    <message>
+        <source>De Casteljau at t = 1/2</source>
+        <translation>Дьо Кастелжо при t = 1/2</translation>
+    </message>
+    <message>
+        <source>The blossom b[t₁, t₂, t₃]</source>
+        <translation>Полярната форма b[t₁, t₂, t₃]</translation>
+    </message>
+    <message>
+        <source>An arc with double and triple points</source>
+        <translation>Дъга с двойни и тройни точки</translation>
+    </message>
+    <message>
+        <source>A chain with three self-intersections</source>
+        <translation>Верига с три самопресичания</translation>
+    </message>
+    <message>
+        <source>A clamped cubic spline</source>
+        <translation>Кубичен сплайн със зададени краища</translation>
+    </message>
+    <message>
+        <source>Runge&apos;s function</source>
+        <translation>Функцията на Рунге</translation>
+    </message>
+    <message>
+        <source>A curve with five monotone runs</source>
+        <translation>Крива с пет монотонни участъка</translation>
+    </message>
+    <message>
+        <source>The outline of a leaf</source>
+        <translation>Контурът на листо</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Файл</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Скорошни</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Редактиране</translation>
+    </message>
+    <message>
+        <source>&amp;Curve</source>
+        <translation>&amp;Крива</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Изглед</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>Панел&amp;и</translation>
+    </message>
+    <message>
+        <source>&amp;Settings</source>
+        <translation>&amp;Настройки</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Език</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Тема</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>&amp;Системна</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>С&amp;ветла</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Тъмна</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Помощ</translation>
+    </message>
+    <message>
+        <source>&amp;Examples</source>
+        <translation>&amp;Примери</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Лента с инструменти</translation>
+    </message>
+</context>
+<context>
+    <name>PointColumn</name>
+    <message>
+        <source>Join</source>
+        <translation>Съединение</translation>
+    </message>
+    <message>
+        <source>Multiplicity</source>
+        <translation>Кратност</translation>
+    </message>
+</context>
+<context>
+    <name>Properties</name>
+    <message>
+        <source>Method</source>
+        <translation>Метод</translation>
+    </message>
+    <message>
+        <source>Approximation</source>
+        <translation>Апроксимация</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Интерполация</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Двойки</translation>
+    </message>
+    <message>
+        <source>Degree</source>
+        <translation>Степен</translation>
+    </message>
+    <message>
+        <source>Basis</source>
+        <translation>Базис</translation>
+    </message>
+    <message>
+        <source>Power basis</source>
+        <translation>Степенен базис</translation>
+    </message>
+    <message>
+        <source>Newton basis</source>
+        <translation>Базис на Нютон</translation>
+    </message>
+    <message>
+        <source>Lagrange basis</source>
+        <translation>Базис на Лагранж</translation>
+    </message>
+    <message>
+        <source>Chebyshev basis</source>
+        <translation>Базис на Чебишов</translation>
+    </message>
+    <message>
+        <source>Corrected pairs</source>
+        <translation>Коригирани двойки</translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation>Анимация</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Правило</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Огледално</translation>
+    </message>
+    <message>
+        <source>Natural</source>
+        <translation>Естествен</translation>
+    </message>
+    <message>
+        <source>Clamped</source>
+        <translation>Със зададени краища</translation>
+    </message>
+    <message>
+        <source>Catmull–Rom</source>
+        <translation>Катмул–Ром</translation>
+    </message>
+    <message>
+        <source>Selected knots</source>
+        <translation>Избрани възли</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Съединение</translation>
+    </message>
+    <message>
+        <source>End derivatives</source>
+        <translation>Производни в краищата</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Начало</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Край</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Автоматичен</translation>
+    </message>
+    <message>
+        <source>Symmetric</source>
+        <translation>Симетричен</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Гладък</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ъглов</translation>
+    </message>
+    <message>
+        <source>Parameter t</source>
+        <translation>Параметър t</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Нива</translation>
+    </message>
+    <message>
+        <source>Multiplicity of the selected point</source>
+        <translation>Кратност на избраната точка</translation>
+    </message>
+    <message>
+        <source>Blossom</source>
+        <translation>Полярна форма (blossom)</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>Аргументи</translation>
+    </message>
+    <message>
+        <source>Runs over</source>
+        <translation>Тече по</translation>
+    </message>
+</context>
+<context>
+    <name>Sheet</name>
+    <message>
+        <source>Combined</source>
+        <translation>Комбиниран</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Повишаване</translation>
+    </message>
+    <message>
+        <source>Spline</source>
+        <translation>Сплайн</translation>
+    </message>
+    <message>
+        <source>Subdivision</source>
+        <translation>Подразделяне</translation>
+    </message>
+</context>
+<context>
+    <name>SheetTab</name>
+    <message>
+        <source>Curves</source>
+        <translation>Криви</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Точки</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Слоеве</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Свойства</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Резултати</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>История</translation>
+    </message>
+</context>
+<context>
+    <name>Step</name>
+    <message>
+        <source>Set the method</source>
+        <translation>Задаване на метода</translation>
+    </message>
+    <message>
+        <source>Set the degree</source>
+        <translation>Задаване на степента</translation>
+    </message>
+    <message>
+        <source>Set the basis</source>
+        <translation>Задаване на базиса</translation>
+    </message>
+    <message>
+        <source>Back to automatic</source>
+        <translation>Обратно към автоматично</translation>
+    </message>
+    <message>
+        <source>Raise the degree</source>
+        <translation>Повишаване на степента</translation>
+    </message>
+    <message>
+        <source>Keep the stage</source>
+        <translation>Запазване на етапа</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Добавяне на точка</translation>
+    </message>
+    <message>
+        <source>Add points</source>
+        <translation>Добавяне на точки</translation>
+    </message>
+    <message>
+        <source>Insert a point</source>
+        <translation>Вмъкване на точка</translation>
+    </message>
+    <message>
+        <source>Remove point %1</source>
+        <translation>Премахване на точка %1</translation>
+    </message>
+    <message>
+        <source>Remove points</source>
+        <translation>Премахване на точки</translation>
+    </message>
+    <message>
+        <source>Nudge</source>
+        <translation>Побутване</translation>
+    </message>
+    <message>
+        <source>Reverse the curve</source>
+        <translation>Обръщане на кривата</translation>
+    </message>
+    <message>
+        <source>New curve</source>
+        <translation>Нова крива</translation>
+    </message>
+    <message>
+        <source>Duplicate the curve</source>
+        <translation>Дублиране на кривата</translation>
+    </message>
+    <message>
+        <source>Delete the curve</source>
+        <translation>Изтриване на кривата</translation>
+    </message>
+    <message>
+        <source>Rename the curve</source>
+        <translation>Преименуване на кривата</translation>
+    </message>
+    <message>
+        <source>Colour the curve</source>
+        <translation>Оцветяване на кривата</translation>
+    </message>
+    <message>
+        <source>Reorder the curves</source>
+        <translation>Пренареждане на кривите</translation>
+    </message>
+    <message>
+        <source>Clear the canvas</source>
+        <translation>Изчистване на платното</translation>
+    </message>
+    <message>
+        <source>Move points</source>
+        <translation>Преместване на точки</translation>
+    </message>
+    <message>
+        <source>Mould the curve</source>
+        <translation>Извиване на кривата</translation>
+    </message>
+    <message>
+        <source>Move point %1</source>
+        <translation>Преместване на точка %1</translation>
+    </message>
+    <message>
+        <source>Move a handle of knot %1</source>
+        <translation>Преместване на манипулатор на възел %1</translation>
+    </message>
+    <message>
+        <source>Move an inner point of segment %1</source>
+        <translation>Преместване на вътрешна точка на сегмент %1</translation>
+    </message>
+    <message>
+        <source>Move the middle point of pair %1</source>
+        <translation>Преместване на междинната точка на двойка %1</translation>
+    </message>
+    <message>
+        <source>Change the start derivative</source>
+        <translation>Промяна на началната производна</translation>
+    </message>
+    <message>
+        <source>Change the end derivative</source>
+        <translation>Промяна на крайната производна</translation>
+    </message>
+    <message>
+        <source>Set the rule</source>
+        <translation>Задаване на правилото</translation>
+    </message>
+    <message>
+        <source>Close the curve</source>
+        <translation>Затваряне на кривата</translation>
+    </message>
+    <message>
+        <source>Open the curve</source>
+        <translation>Отваряне на кривата</translation>
+    </message>
+    <message>
+        <source>Set the join</source>
+        <translation>Задаване на съединението</translation>
+    </message>
+    <message>
+        <source>Set the parameter t</source>
+        <translation>Задаване на параметъра t</translation>
+    </message>
+    <message>
+        <source>Set the levels</source>
+        <translation>Задаване на нивата</translation>
+    </message>
+    <message>
+        <source>Set the multiplicity</source>
+        <translation>Задаване на кратността</translation>
+    </message>
+    <message>
+        <source>Show the blossom</source>
+        <translation>Показване на полярната форма</translation>
+    </message>
+    <message>
+        <source>Set the blossom</source>
+        <translation>Задаване на полярната форма</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::AboutDialog</name>
+    <message>
+        <source>About Kriva</source>
+        <translation>Относно Kriva</translation>
+    </message>
+    <message>
+        <source>A workbench for Bézier curves.</source>
+        <translation>Работилница за криви на Безие.</translation>
+    </message>
+    <message>
+        <source>Free software under the MIT licence.</source>
+        <translation>Свободен софтуер под лиценза MIT.</translation>
+    </message>
+    <message>
+        <source>Built on %1 (LGPL, dynamically linked), Eigen, JSON for Modern C++ and pugixml.</source>
+        <translation>Изградена върху %1 (LGPL, динамично свързан), Eigen, JSON for Modern C++ и pugixml.</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::CombinedProperties</name>
+    <message>
+        <source>Back to automatic</source>
+        <translation>Обратно към автоматично</translation>
+    </message>
+    <message>
+        <source>Puts the selected middle points, or all where none is selected, where the tangents meet</source>
+        <translation>Поставя избраните междинни точки, или всички, ако няма избрани, където се срещат допирателните</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::CurvesModel</name>
+    <message>
+        <source>Curve %1</source>
+        <translation>Крива %1</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::CurvesPanel</name>
+    <message>
+        <source>New curve</source>
+        <translation>Нова крива</translation>
+    </message>
+    <message>
+        <source>Duplicate the curve</source>
+        <translation>Дублиране на кривата</translation>
+    </message>
+    <message>
+        <source>Delete the curve</source>
+        <translation>Изтриване на кривата</translation>
+    </message>
+    <message>
+        <source>Move the curve up</source>
+        <translation>Преместване на кривата нагоре</translation>
+    </message>
+    <message>
+        <source>Move the curve down</source>
+        <translation>Преместване на кривата надолу</translation>
+    </message>
+    <message>
+        <source>Colour of the curve</source>
+        <translation>Цвят на кривата</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Криви</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::DocumentSession</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Без име</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Отваряне</translation>
+    </message>
+    <message>
+        <source>Documents and figures of Kriva (*.kriva *.svg)</source>
+        <translation>Документи и фигури на Kriva (*.kriva *.svg)</translation>
+    </message>
+    <message>
+        <source>The file was not opened</source>
+        <translation>Файлът не беше отворен</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Запазване като</translation>
+    </message>
+    <message>
+        <source>Documents of Kriva (*.kriva)</source>
+        <translation>Документи на Kriva (*.kriva)</translation>
+    </message>
+    <message>
+        <source>The document was not saved</source>
+        <translation>Документът не беше запазен</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Незапазени промени</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Да се запазят ли промените в „%1“?</translation>
+    </message>
+    <message>
+        <source>Without saving they are lost.</source>
+        <translation>Без запазване те се губят.</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::HistoryPanel</name>
+    <message>
+        <source>History</source>
+        <translation>История</translation>
+    </message>
+    <message>
+        <source>Beginning</source>
+        <translation>Начало</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Слоеве</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::MainWindow</name>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Отмяна: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Отмяна</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Повтаряне: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Повтаряне</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::NumberField</name>
+    <message>
+        <source>A whole number from %1 to %2 is needed.</source>
+        <translation>Нужно е цяло число от %1 до %2.</translation>
+    </message>
+    <message>
+        <source>A number above %1 and below %2 is needed.</source>
+        <translation>Нужно е число над %1 и под %2.</translation>
+    </message>
+    <message>
+        <source>A number from %1 to %2 is needed.</source>
+        <translation>Нужно е число от %1 до %2.</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::Player</name>
+    <message>
+        <source>%1×</source>
+        <comment>speed of an animation</comment>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>One stage back</source>
+        <translation>Един етап назад</translation>
+    </message>
+    <message>
+        <source>One stage on</source>
+        <translation>Един етап напред</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Пауза</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Пускане</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>По-бавно</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>По-бързо</translation>
+    </message>
+    <message>
+        <source>Over and over</source>
+        <translation>Отново и отново</translation>
+    </message>
+    <message>
+        <source>Direction of the animation: forwards</source>
+        <translation>Посока на анимацията: напред</translation>
+    </message>
+    <message>
+        <source>Direction of the animation: backwards</source>
+        <translation>Посока на анимацията: назад</translation>
+    </message>
+    <message>
+        <source>Direction of the animation: to and fro</source>
+        <translation>Посока на анимацията: напред и назад</translation>
+    </message>
+    <message>
+        <source>Animation speed</source>
+        <translation>Скорост на анимацията</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Етап</translation>
+    </message>
+    <message>
+        <source>Keep this stage</source>
+        <translation>Запазване на този етап</translation>
+    </message>
+    <message>
+        <source>Writes the stage on view into the document</source>
+        <translation>Записва показания етап в документа</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::PointsPanel</name>
+    <message>
+        <source>Points</source>
+        <translation>Точки</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::PropertiesPanel</name>
+    <message>
+        <source>Less</source>
+        <translation>По-малко</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Повече</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ResultsPanel</name>
+    <message>
+        <source>Results</source>
+        <translation>Резултати</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Име</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Стойност</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::SplineProperties</name>
+    <message>
+        <source>Closed</source>
+        <translation>Затворена</translation>
+    </message>
+    <message>
+        <source>Given here; otherwise that of the natural spline</source>
+        <translation>Зададена тук; иначе тази на естествения сплайн</translation>
+    </message>
+    <message>
+        <source>Given</source>
+        <translation>Зададена</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::StatusRow</name>
+    <message>
+        <source>x %1   y %2</source>
+        <comment>the pointer&apos;s coordinates</comment>
+        <translation>x %1   y %2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <comment>zoom in percent</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Coordinates of the pointer</source>
+        <translation>Координати на показалеца</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Мащаб</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::SubdivisionProperties</name>
+    <message>
+        <source>Show the curve</source>
+        <translation>Показване на кривата</translation>
+    </message>
+    <message>
+        <source>Show the blossom</source>
+        <translation>Показване на полярната форма</translation>
+    </message>
+    <message>
+        <source>Parameter t</source>
+        <translation>Параметър t</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Нива</translation>
+    </message>
+</context>
 </TS>

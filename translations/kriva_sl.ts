@@ -1,4 +1,1382 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="sl" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Nov</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Odpri …</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Shrani</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Shrani &amp;kot …</translation>
+    </message>
+    <message>
+        <source>&amp;Export figure…</source>
+        <translation>&amp;Izvozi sliko …</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>I&amp;zhod</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Razveljavi</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Znova uveljavi</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>Iz&amp;briši</translation>
+    </message>
+    <message>
+        <source>Delete &amp;last point</source>
+        <translation>Izbriši zadnjo &amp;točko</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the canvas</source>
+        <translation>&amp;Počisti platno</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>Izberi &amp;vse</translation>
+    </message>
+    <message>
+        <source>Select n&amp;one</source>
+        <translation>Ne izberi &amp;ničesar</translation>
+    </message>
+    <message>
+        <source>&amp;Invert the selection</source>
+        <translation>&amp;Obrni izbiro</translation>
+    </message>
+    <message>
+        <source>&amp;New curve</source>
+        <translation>&amp;Nova krivulja</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate the curve</source>
+        <translation>&amp;Podvoji krivuljo</translation>
+    </message>
+    <message>
+        <source>De&amp;lete the curve</source>
+        <translation>Iz&amp;briši krivuljo</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt curve</source>
+        <translation>Na&amp;slednja krivulja</translation>
+    </message>
+    <message>
+        <source>&amp;Reverse</source>
+        <translation>&amp;Obrni</translation>
+    </message>
+    <message>
+        <source>&amp;Edit tool</source>
+        <translation>Orodje za &amp;urejanje</translation>
+    </message>
+    <message>
+        <source>&amp;Add tool</source>
+        <translation>Orodje za &amp;dodajanje</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Po&amp;večaj</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Po&amp;manjšaj</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;100 %</source>
+        <translation>Merilo &amp;100 %</translation>
+    </message>
+    <message>
+        <source>&amp;Fit all</source>
+        <translation>Pokaži v&amp;se</translation>
+    </message>
+    <message>
+        <source>Fit &amp;selection</source>
+        <translation>Pokaži &amp;izbrano</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>M&amp;reža</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>&amp;Osi</translation>
+    </message>
+    <message>
+        <source>&amp;Reset panels</source>
+        <translation>&amp;Ponastavi plošče</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>&amp;Celoten zaslon</translation>
+    </message>
+    <message>
+        <source>&amp;About Kriva</source>
+        <translation>&amp;O programu Kriva</translation>
+    </message>
+    <message>
+        <source>About &amp;Qt</source>
+        <translation>O knjižnici &amp;Qt</translation>
+    </message>
+</context>
+<context>
+    <name>Caption</name>
+    <message>
+        <source>Degree elevation</source>
+        <translation>Zviševanje stopnje</translation>
+    </message>
+    <message>
+        <source>Subdivision</source>
+        <translation>Subdivizija</translation>
+    </message>
+    <message>
+        <source>Spline</source>
+        <translation>Zlepek</translation>
+    </message>
+    <message>
+        <source>Combined algorithm</source>
+        <translation>Kombinirani algoritem</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Krivulja</translation>
+    </message>
+    <message>
+        <source>Control polygon</source>
+        <translation>Kontrolni poligon</translation>
+    </message>
+    <message>
+        <source>Elevated polygon</source>
+        <translation>Poligon zvišane stopnje</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Točke</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Oznake</translation>
+    </message>
+    <message>
+        <source>De Casteljau scheme</source>
+        <translation>De Casteljaujeva shema</translation>
+    </message>
+    <message>
+        <source>Curves of degree n − 1</source>
+        <translation>Krivulji stopnje n − 1</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Kosi</translation>
+    </message>
+    <message>
+        <source>Left polygon</source>
+        <translation>Levi poligon</translation>
+    </message>
+    <message>
+        <source>Right polygon</source>
+        <translation>Desni poligon</translation>
+    </message>
+    <message>
+        <source>Point of the curve</source>
+        <translation>Točka krivulje</translation>
+    </message>
+    <message>
+        <source>Blossom</source>
+        <translation>Polarna forma</translation>
+    </message>
+    <message>
+        <source>Labels of left and right</source>
+        <translation>Oznake levega in desnega</translation>
+    </message>
+    <message>
+        <source>Degree</source>
+        <translation>Stopnja</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Dolžina</translation>
+    </message>
+    <message>
+        <source>Bounds</source>
+        <translation>Meje</translation>
+    </message>
+    <message>
+        <source>Degree after elevation</source>
+        <translation>Stopnja po zvišanju</translation>
+    </message>
+    <message>
+        <source>Gap between polygon and curve</source>
+        <translation>Razmik med poligonom in krivuljo</translation>
+    </message>
+    <message>
+        <source>Point at t</source>
+        <translation>Točka pri t</translation>
+    </message>
+    <message>
+        <source>Derivative at t</source>
+        <translation>Odvod pri t</translation>
+    </message>
+    <message>
+        <source>Number of pieces</source>
+        <translation>Število kosov</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>Vozli</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Ročice</translation>
+    </message>
+    <message>
+        <source>End derivatives</source>
+        <translation>Odvoda v krajiščih</translation>
+    </message>
+    <message>
+        <source>Length of segment</source>
+        <translation>Dolžina odseka</translation>
+    </message>
+    <message>
+        <source>Coefficients of segment</source>
+        <translation>Koeficienti odseka</translation>
+    </message>
+    <message>
+        <source>Continuity at knot</source>
+        <translation>Zveznost v vozlu</translation>
+    </message>
+    <message>
+        <source>Extrema of the curvature</source>
+        <translation>Ekstremi ukrivljenosti</translation>
+    </message>
+    <message>
+        <source>Bending energy</source>
+        <translation>Upogibna energija</translation>
+    </message>
+    <message>
+        <source>Polygon of the given points</source>
+        <translation>Poligon danih točk</translation>
+    </message>
+    <message>
+        <source>Monotone runs</source>
+        <translation>Monotoni odseki</translation>
+    </message>
+    <message>
+        <source>Joins</source>
+        <translation>Stiki</translation>
+    </message>
+    <message>
+        <source>Middle points of pairs</source>
+        <translation>Vmesne točke parov</translation>
+    </message>
+    <message>
+        <source>Numbers of runs</source>
+        <translation>Številke odsekov</translation>
+    </message>
+    <message>
+        <source>Points of run</source>
+        <translation>Točke odseka</translation>
+    </message>
+    <message>
+        <source>Degree of run</source>
+        <translation>Stopnja odseka</translation>
+    </message>
+    <message>
+        <source>Coefficients of run</source>
+        <translation>Koeficienti odseka</translation>
+    </message>
+    <message>
+        <source>Residual (root mean square) of run</source>
+        <translation>Ostanek (koren povprečja kvadratov) odseka</translation>
+    </message>
+    <message>
+        <source>Largest residual of run</source>
+        <translation>Največji ostanek odseka</translation>
+    </message>
+    <message>
+        <source>Largest kink</source>
+        <translation>Največji prelom</translation>
+    </message>
+    <message>
+        <source>Slope variation</source>
+        <translation>Variacija naklona</translation>
+    </message>
+    <message>
+        <source>This curve needs more points</source>
+        <translation>Ta krivulja potrebuje še točke</translation>
+    </message>
+</context>
+<context>
+    <name>CommandLine</name>
+    <message>
+        <source>unknown option %1</source>
+        <translation>neznana možnost %1</translation>
+    </message>
+    <message>
+        <source>a value is missing behind %1</source>
+        <translation>za %1 manjka vrednost</translation>
+    </message>
+    <message>
+        <source>unknown language %1</source>
+        <translation>neznan jezik %1</translation>
+    </message>
+    <message>
+        <source>there is no sheet %1</source>
+        <translation>lista %1 ni</translation>
+    </message>
+    <message>
+        <source>the option --%1 does not belong here</source>
+        <translation>možnost --%1 ne spada sem</translation>
+    </message>
+    <message>
+        <source>export needs one file</source>
+        <translation>export potrebuje eno datoteko</translation>
+    </message>
+    <message>
+        <source>export needs the file to write: -o OUT.svg</source>
+        <translation>export potrebuje datoteko za zapis: -o OUT.svg</translation>
+    </message>
+    <message>
+        <source>%1: figures are written as .svg</source>
+        <translation>%1: slike se zapisujejo kot .svg</translation>
+    </message>
+    <message>
+        <source>report needs one file</source>
+        <translation>report potrebuje eno datoteko</translation>
+    </message>
+    <message>
+        <source>there is no format %1</source>
+        <translation>oblike %1 ni</translation>
+    </message>
+    <message>
+        <source>kriva [FILE...]
+    opens the editor
+kriva export FILE -o OUT.svg [--sheet NAME]
+    draws a sheet: the one named, else the one that was shown when the document was saved
+kriva report FILE [--format json|text] [--sheet NAME]
+    prints the numbers of a document
+
+    --language CODE   en, bg, sl or uk; else the language of the system
+    --sheet NAME      elevation, subdivision, spline or combined
+    --help            this text
+    --version         the version
+
+Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
+</source>
+        <translation>kriva [FILE...]
+    odpre urejevalnik
+kriva export FILE -o OUT.svg [--sheet NAME]
+    nariše list: imenovanega, sicer tistega, ki je bil prikazan ob shranjevanju dokumenta
+kriva report FILE [--format json|text] [--sheet NAME]
+    izpiše števila dokumenta
+
+    --language CODE   en, bg, sl ali uk; sicer jezik sistema
+    --sheet NAME      elevation, subdivision, spline ali combined
+    --help            to besedilo
+    --version         različica
+
+Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod ni zapisan.
+</translation>
+    </message>
+    <message>
+        <source>%1: there is no curve to draw</source>
+        <translation>%1: ni krivulje, ki bi jo narisali</translation>
+    </message>
+    <message>
+        <source>the output could not be written</source>
+        <translation>izhoda ni bilo mogoče zapisati</translation>
+    </message>
+    <message>
+        <source>the editor needs a display; export and report do without one</source>
+        <translation>urejevalnik potrebuje zaslon; export in report shajata brez njega</translation>
+    </message>
+    <message>
+        <source>%1; kriva --help tells more</source>
+        <translation>%1; več pove kriva --help</translation>
+    </message>
+</context>
+<context>
+    <name>Errors</name>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>vrstica %1, stolpec %2</translation>
+    </message>
+    <message>
+        <source>this is no JSON</source>
+        <translation>to ni JSON</translation>
+    </message>
+    <message>
+        <source>nested more than %1 deep</source>
+        <translation>vgnezdeno globlje od %1</translation>
+    </message>
+    <message>
+        <source>this is no document of Kriva</source>
+        <translation>to ni dokument programa Kriva</translation>
+    </message>
+    <message>
+        <source>version %1 needs a newer Kriva</source>
+        <translation>različica %1 potrebuje novejšo Krivo</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>neznan ključ</translation>
+    </message>
+    <message>
+        <source>the key stands here twice</source>
+        <translation>ključ je tu dvakrat</translation>
+    </message>
+    <message>
+        <source>the key “%1” is missing</source>
+        <translation>manjka ključ »%1«</translation>
+    </message>
+    <message>
+        <source>expected an object</source>
+        <translation>pričakovan je objekt</translation>
+    </message>
+    <message>
+        <source>expected a list</source>
+        <translation>pričakovan je seznam</translation>
+    </message>
+    <message>
+        <source>expected a text</source>
+        <translation>pričakovano je besedilo</translation>
+    </message>
+    <message>
+        <source>expected true or false</source>
+        <translation>pričakovano je true ali false</translation>
+    </message>
+    <message>
+        <source>expected a number</source>
+        <translation>pričakovano je število</translation>
+    </message>
+    <message>
+        <source>expected a whole number from %1 to %2</source>
+        <translation>pričakovano je celo število od %1 do %2</translation>
+    </message>
+    <message>
+        <source>expected a number from %1 to %2</source>
+        <translation>pričakovano je število od %1 do %2</translation>
+    </message>
+    <message>
+        <source>expected a number between %1 and %2</source>
+        <translation>pričakovano je število med %1 in %2</translation>
+    </message>
+    <message>
+        <source>expected two finite numbers</source>
+        <translation>pričakovani sta dve končni števili</translation>
+    </message>
+    <message>
+        <source>expected one of: %1</source>
+        <translation>pričakovano je eno od: %1</translation>
+    </message>
+    <message>
+        <source>expected a colour like #0072b2</source>
+        <translation>pričakovana je barva, kot je #0072b2</translation>
+    </message>
+    <message numerus="yes">
+        <source>expected %n element(s)</source>
+        <translation>
+            <numerusform>pričakovan je %n element</numerusform>
+            <numerusform>pričakovana sta %n elementa</numerusform>
+            <numerusform>pričakovani so %n elementi</numerusform>
+            <numerusform>pričakovanih je %n elementov</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>more than %1 is too many</source>
+        <translation>več kot %1 je preveč</translation>
+    </message>
+    <message>
+        <source>no such index</source>
+        <translation>tega indeksa ni</translation>
+    </message>
+    <message>
+        <source>the file is larger than %1 bytes</source>
+        <translation>datoteka je večja od %1 bajtov</translation>
+    </message>
+    <message>
+        <source>this figure has no document of Kriva inside</source>
+        <translation>v tej sliki ni dokumenta programa Kriva</translation>
+    </message>
+    <message>
+        <source>this is no XML</source>
+        <translation>to ni XML</translation>
+    </message>
+    <message>
+        <source>the document type has declarations of its own</source>
+        <translation>vrsta dokumenta ima lastne deklaracije</translation>
+    </message>
+    <message>
+        <source>more than %1 elements are too many</source>
+        <translation>več kot %1 elementov je preveč</translation>
+    </message>
+    <message>
+        <source>more than %1 attributes are too many</source>
+        <translation>več kot %1 atributov je preveč</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file</source>
+        <translation>%1: te datoteke ni</translation>
+    </message>
+    <message>
+        <source>%1: this is no regular file</source>
+        <translation>%1: to ni navadna datoteka</translation>
+    </message>
+    <message>
+        <source>%1: the file is larger than %2 bytes</source>
+        <translation>%1: datoteka je večja od %2 bajtov</translation>
+    </message>
+    <message>
+        <source>%1: reading is not permitted</source>
+        <translation>%1: branje ni dovoljeno</translation>
+    </message>
+    <message>
+        <source>%1: the file cannot be read (%2)</source>
+        <translation>%1: datoteke ni mogoče prebrati (%2)</translation>
+    </message>
+    <message>
+        <source>%1: there is no such folder</source>
+        <translation>%1: te mape ni</translation>
+    </message>
+    <message>
+        <source>%1: writing is not permitted</source>
+        <translation>%1: pisanje ni dovoljeno</translation>
+    </message>
+    <message>
+        <source>%1: there is no space left</source>
+        <translation>%1: prostora je zmanjkalo</translation>
+    </message>
+    <message>
+        <source>%1: the file cannot be written (%2)</source>
+        <translation>%1: datoteke ni mogoče zapisati (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>ExportFigure</name>
+    <message>
+        <source>Export figure</source>
+        <translation>Izvoz slike</translation>
+    </message>
+    <message>
+        <source>SVG figures (*.svg)</source>
+        <translation>Slike SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>The figure was not written</source>
+        <translation>Slika ni bila zapisana</translation>
+    </message>
+</context>
+<context>
+    <name>Hint</name>
+    <message>
+        <source>The clipboard holds no table of two numbers in each line</source>
+        <translation>Na odložišču ni preglednice z dvema številoma v vsaki vrstici</translation>
+    </message>
+    <message>
+        <source>Drag: move the handle</source>
+        <translation>Vlečenje: premakne ročico</translation>
+    </message>
+    <message>
+        <source>Alt+click: remove the point</source>
+        <translation>Alt+klik: odstrani točko</translation>
+    </message>
+    <message>
+        <source>Drag: move the point, Ctrl: along an axis   Alt+click: remove it</source>
+        <translation>Vlečenje: premakne točko, Ctrl: vzdolž osi   Alt+klik: odstrani jo</translation>
+    </message>
+    <message>
+        <source>Drag: mould the curve   Double-click: insert a point</source>
+        <translation>Vlečenje: oblikuje krivuljo   Dvojni klik: vstavi točko</translation>
+    </message>
+    <message>
+        <source>Click: add a point   Esc: end</source>
+        <translation>Klik: doda točko   Esc: konec</translation>
+    </message>
+    <message>
+        <source>Alt+click: add a point</source>
+        <translation>Alt+klik: doda točko</translation>
+    </message>
+    <message>
+        <source>Double-click or Alt+click: add a point   Drag: select points   Ctrl+wheel: zoom</source>
+        <translation>Dvojni klik ali Alt+klik: doda točko   Vlečenje: izbere točke   Ctrl+kolesce: merilo</translation>
+    </message>
+    <message>
+        <source>No point can be inserted here</source>
+        <translation>Tu ni mogoče vstaviti točke</translation>
+    </message>
+    <message>
+        <source>This curve follows its points; drag them</source>
+        <translation>Ta krivulja sledi svojim točkam; vlecite te</translation>
+    </message>
+    <message>
+        <source>The blossom needs as many numbers as the degree</source>
+        <translation>Polarna forma potrebuje toliko števil, kolikor je stopnja</translation>
+    </message>
+</context>
+<context>
+    <name>Menus</name>
+    <message>
+        <source>A cubic raised 97 times</source>
+        <translation>Kubična krivulja, zvišana 97-krat</translation>
+    </message>
+    <message>
+        <source>De Casteljau at t = 1/2</source>
+        <translation>De Casteljau pri t = 1/2</translation>
+    </message>
+    <message>
+        <source>The blossom b[t₁, t₂, t₃]</source>
+        <translation>Polarna forma b[t₁, t₂, t₃]</translation>
+    </message>
+    <message>
+        <source>An arc with double and triple points</source>
+        <translation>Lok z dvojnimi in trojnimi točkami</translation>
+    </message>
+    <message>
+        <source>A chain with three self-intersections</source>
+        <translation>Veriga s tremi samopresečišči</translation>
+    </message>
+    <message>
+        <source>A clamped cubic spline</source>
+        <translation>Vpet kubični zlepek</translation>
+    </message>
+    <message>
+        <source>Runge&apos;s function</source>
+        <translation>Rungejeva funkcija</translation>
+    </message>
+    <message>
+        <source>A curve with five monotone runs</source>
+        <translation>Krivulja s petimi monotonimi odseki</translation>
+    </message>
+    <message>
+        <source>The outline of a leaf</source>
+        <translation>Obris lista</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datoteka</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Odpri ne&amp;davno</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Uredi</translation>
+    </message>
+    <message>
+        <source>&amp;Curve</source>
+        <translation>&amp;Krivulja</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Pogled</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Plošče</translation>
+    </message>
+    <message>
+        <source>&amp;Settings</source>
+        <translation>&amp;Nastavitve</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Jezik</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>&amp;Sistemska</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>Sve&amp;tla</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Temna</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>Po&amp;moč</translation>
+    </message>
+    <message>
+        <source>&amp;Examples</source>
+        <translation>&amp;Primeri</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Orodna vrstica</translation>
+    </message>
+</context>
+<context>
+    <name>PointColumn</name>
+    <message>
+        <source>Join</source>
+        <translation>Stik</translation>
+    </message>
+    <message>
+        <source>Multiplicity</source>
+        <translation>Večkratnost</translation>
+    </message>
+</context>
+<context>
+    <name>Properties</name>
+    <message>
+        <source>Method</source>
+        <translation>Metoda</translation>
+    </message>
+    <message>
+        <source>Approximation</source>
+        <translation>Aproksimacija</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Interpolacija</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Pari</translation>
+    </message>
+    <message>
+        <source>Degree</source>
+        <translation>Stopnja</translation>
+    </message>
+    <message>
+        <source>Basis</source>
+        <translation>Baza</translation>
+    </message>
+    <message>
+        <source>Power basis</source>
+        <translation>Potenčna baza</translation>
+    </message>
+    <message>
+        <source>Newton basis</source>
+        <translation>Newtonova baza</translation>
+    </message>
+    <message>
+        <source>Lagrange basis</source>
+        <translation>Lagrangeeva baza</translation>
+    </message>
+    <message>
+        <source>Chebyshev basis</source>
+        <translation>Čebiševa baza</translation>
+    </message>
+    <message>
+        <source>Corrected pairs</source>
+        <translation>Popravljeni pari</translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation>Animacija</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Pravilo</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Zrcalno</translation>
+    </message>
+    <message>
+        <source>Natural</source>
+        <translation>Naravni</translation>
+    </message>
+    <message>
+        <source>Clamped</source>
+        <translation>Vpeti</translation>
+    </message>
+    <message>
+        <source>Catmull–Rom</source>
+        <translation>Catmull–Rom</translation>
+    </message>
+    <message>
+        <source>Selected knots</source>
+        <translation>Izbrani vozli</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Stik</translation>
+    </message>
+    <message>
+        <source>End derivatives</source>
+        <translation>Odvoda v krajiščih</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Začetek</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Konec</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Samodejni</translation>
+    </message>
+    <message>
+        <source>Symmetric</source>
+        <translation>Simetrični</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Gladki</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Kot</translation>
+    </message>
+    <message>
+        <source>Parameter t</source>
+        <translation>Parameter t</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Nivoji</translation>
+    </message>
+    <message>
+        <source>Multiplicity of the selected point</source>
+        <translation>Večkratnost izbrane točke</translation>
+    </message>
+    <message>
+        <source>Blossom</source>
+        <translation>Polarna forma</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>Argumenti</translation>
+    </message>
+    <message>
+        <source>Runs over</source>
+        <translation>Teče po</translation>
+    </message>
+</context>
+<context>
+    <name>Sheet</name>
+    <message>
+        <source>Combined</source>
+        <translation>Kombinirani</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Zviševanje</translation>
+    </message>
+    <message>
+        <source>Spline</source>
+        <translation>Zlepek</translation>
+    </message>
+    <message>
+        <source>Subdivision</source>
+        <translation>Subdivizija</translation>
+    </message>
+</context>
+<context>
+    <name>SheetTab</name>
+    <message>
+        <source>Curves</source>
+        <translation>Krivulje</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Točke</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Plasti</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Lastnosti</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Rezultati</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Zgodovina</translation>
+    </message>
+</context>
+<context>
+    <name>Step</name>
+    <message>
+        <source>Set the method</source>
+        <translation>Nastavitev metode</translation>
+    </message>
+    <message>
+        <source>Set the degree</source>
+        <translation>Nastavitev stopnje</translation>
+    </message>
+    <message>
+        <source>Set the basis</source>
+        <translation>Nastavitev baze</translation>
+    </message>
+    <message>
+        <source>Back to automatic</source>
+        <translation>Nazaj na samodejno</translation>
+    </message>
+    <message>
+        <source>Raise the degree</source>
+        <translation>Zvišanje stopnje</translation>
+    </message>
+    <message>
+        <source>Keep the stage</source>
+        <translation>Ohranitev stopnje animacije</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Dodajanje točke</translation>
+    </message>
+    <message>
+        <source>Add points</source>
+        <translation>Dodajanje točk</translation>
+    </message>
+    <message>
+        <source>Insert a point</source>
+        <translation>Vstavljanje točke</translation>
+    </message>
+    <message>
+        <source>Remove point %1</source>
+        <translation>Odstranitev točke %1</translation>
+    </message>
+    <message>
+        <source>Remove points</source>
+        <translation>Odstranitev točk</translation>
+    </message>
+    <message>
+        <source>Nudge</source>
+        <translation>Pomik za korak</translation>
+    </message>
+    <message>
+        <source>Reverse the curve</source>
+        <translation>Obrat krivulje</translation>
+    </message>
+    <message>
+        <source>New curve</source>
+        <translation>Nova krivulja</translation>
+    </message>
+    <message>
+        <source>Duplicate the curve</source>
+        <translation>Podvojitev krivulje</translation>
+    </message>
+    <message>
+        <source>Delete the curve</source>
+        <translation>Izbris krivulje</translation>
+    </message>
+    <message>
+        <source>Rename the curve</source>
+        <translation>Preimenovanje krivulje</translation>
+    </message>
+    <message>
+        <source>Colour the curve</source>
+        <translation>Barvanje krivulje</translation>
+    </message>
+    <message>
+        <source>Reorder the curves</source>
+        <translation>Prerazporeditev krivulj</translation>
+    </message>
+    <message>
+        <source>Clear the canvas</source>
+        <translation>Čiščenje platna</translation>
+    </message>
+    <message>
+        <source>Move points</source>
+        <translation>Premik točk</translation>
+    </message>
+    <message>
+        <source>Mould the curve</source>
+        <translation>Oblikovanje krivulje</translation>
+    </message>
+    <message>
+        <source>Move point %1</source>
+        <translation>Premik točke %1</translation>
+    </message>
+    <message>
+        <source>Move a handle of knot %1</source>
+        <translation>Premik ročice vozla %1</translation>
+    </message>
+    <message>
+        <source>Move an inner point of segment %1</source>
+        <translation>Premik notranje točke odseka %1</translation>
+    </message>
+    <message>
+        <source>Move the middle point of pair %1</source>
+        <translation>Premik vmesne točke para %1</translation>
+    </message>
+    <message>
+        <source>Change the start derivative</source>
+        <translation>Sprememba začetnega odvoda</translation>
+    </message>
+    <message>
+        <source>Change the end derivative</source>
+        <translation>Sprememba končnega odvoda</translation>
+    </message>
+    <message>
+        <source>Set the rule</source>
+        <translation>Nastavitev pravila</translation>
+    </message>
+    <message>
+        <source>Close the curve</source>
+        <translation>Zaprtje krivulje</translation>
+    </message>
+    <message>
+        <source>Open the curve</source>
+        <translation>Odprtje krivulje</translation>
+    </message>
+    <message>
+        <source>Set the join</source>
+        <translation>Nastavitev stika</translation>
+    </message>
+    <message>
+        <source>Set the parameter t</source>
+        <translation>Nastavitev parametra t</translation>
+    </message>
+    <message>
+        <source>Set the levels</source>
+        <translation>Nastavitev nivojev</translation>
+    </message>
+    <message>
+        <source>Set the multiplicity</source>
+        <translation>Nastavitev večkratnosti</translation>
+    </message>
+    <message>
+        <source>Show the blossom</source>
+        <translation>Prikaz polarne forme</translation>
+    </message>
+    <message>
+        <source>Set the blossom</source>
+        <translation>Nastavitev polarne forme</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::AboutDialog</name>
+    <message>
+        <source>About Kriva</source>
+        <translation>O programu Kriva</translation>
+    </message>
+    <message>
+        <source>A workbench for Bézier curves.</source>
+        <translation>Delavnica za Bézierove krivulje.</translation>
+    </message>
+    <message>
+        <source>Free software under the MIT licence.</source>
+        <translation>Prosto programje pod licenco MIT.</translation>
+    </message>
+    <message>
+        <source>Built on %1 (LGPL, dynamically linked), Eigen, JSON for Modern C++ and pugixml.</source>
+        <translation>Zgrajeno na %1 (LGPL, dinamično povezano), Eigen, JSON for Modern C++ in pugixml.</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::CombinedProperties</name>
+    <message>
+        <source>Back to automatic</source>
+        <translation>Nazaj na samodejno</translation>
+    </message>
+    <message>
+        <source>Puts the selected middle points, or all where none is selected, where the tangents meet</source>
+        <translation>Postavi izbrane vmesne točke, ali vse, če ni izbrana nobena, kjer se sekata tangenti</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::CurvesModel</name>
+    <message>
+        <source>Curve %1</source>
+        <translation>Krivulja %1</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::CurvesPanel</name>
+    <message>
+        <source>New curve</source>
+        <translation>Nova krivulja</translation>
+    </message>
+    <message>
+        <source>Duplicate the curve</source>
+        <translation>Podvoji krivuljo</translation>
+    </message>
+    <message>
+        <source>Delete the curve</source>
+        <translation>Izbriši krivuljo</translation>
+    </message>
+    <message>
+        <source>Move the curve up</source>
+        <translation>Premakni krivuljo navzgor</translation>
+    </message>
+    <message>
+        <source>Move the curve down</source>
+        <translation>Premakni krivuljo navzdol</translation>
+    </message>
+    <message>
+        <source>Colour of the curve</source>
+        <translation>Barva krivulje</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Krivulje</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::DocumentSession</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Brez imena</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Odpiranje</translation>
+    </message>
+    <message>
+        <source>Documents and figures of Kriva (*.kriva *.svg)</source>
+        <translation>Dokumenti in slike programa Kriva (*.kriva *.svg)</translation>
+    </message>
+    <message>
+        <source>The file was not opened</source>
+        <translation>Datoteka ni bila odprta</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Shranjevanje kot</translation>
+    </message>
+    <message>
+        <source>Documents of Kriva (*.kriva)</source>
+        <translation>Dokumenti programa Kriva (*.kriva)</translation>
+    </message>
+    <message>
+        <source>The document was not saved</source>
+        <translation>Dokument ni bil shranjen</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Neshranjene spremembe</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Naj se spremembe v »%1« shranijo?</translation>
+    </message>
+    <message>
+        <source>Without saving they are lost.</source>
+        <translation>Brez shranjevanja bodo izgubljene.</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::HistoryPanel</name>
+    <message>
+        <source>History</source>
+        <translation>Zgodovina</translation>
+    </message>
+    <message>
+        <source>Beginning</source>
+        <translation>Začetek</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Plasti</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::MainWindow</name>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Razveljavi: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Razveljavi</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Znova uveljavi: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Znova uveljavi</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::NumberField</name>
+    <message>
+        <source>A whole number from %1 to %2 is needed.</source>
+        <translation>Potrebno je celo število od %1 do %2.</translation>
+    </message>
+    <message>
+        <source>A number above %1 and below %2 is needed.</source>
+        <translation>Potrebno je število nad %1 in pod %2.</translation>
+    </message>
+    <message>
+        <source>A number from %1 to %2 is needed.</source>
+        <translation>Potrebno je število od %1 do %2.</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::Player</name>
+    <message>
+        <source>%1×</source>
+        <comment>speed of an animation</comment>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>One stage back</source>
+        <translation>Eno stopnjo nazaj</translation>
+    </message>
+    <message>
+        <source>One stage on</source>
+        <translation>Eno stopnjo naprej</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Premor</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Predvajaj</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Počasneje</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Hitreje</translation>
+    </message>
+    <message>
+        <source>Over and over</source>
+        <translation>Znova in znova</translation>
+    </message>
+    <message>
+        <source>Direction of the animation: forwards</source>
+        <translation>Smer animacije: naprej</translation>
+    </message>
+    <message>
+        <source>Direction of the animation: backwards</source>
+        <translation>Smer animacije: nazaj</translation>
+    </message>
+    <message>
+        <source>Direction of the animation: to and fro</source>
+        <translation>Smer animacije: sem in tja</translation>
+    </message>
+    <message>
+        <source>Animation speed</source>
+        <translation>Hitrost animacije</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Stopnja animacije</translation>
+    </message>
+    <message>
+        <source>Keep this stage</source>
+        <translation>Ohrani to stopnjo</translation>
+    </message>
+    <message>
+        <source>Writes the stage on view into the document</source>
+        <translation>Zapiše prikazano stopnjo v dokument</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::PointsPanel</name>
+    <message>
+        <source>Points</source>
+        <translation>Točke</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::PropertiesPanel</name>
+    <message>
+        <source>Less</source>
+        <translation>Manj</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Več</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ResultsPanel</name>
+    <message>
+        <source>Results</source>
+        <translation>Rezultati</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Ime</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Vrednost</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::SplineProperties</name>
+    <message>
+        <source>Closed</source>
+        <translation>Zaprta</translation>
+    </message>
+    <message>
+        <source>Given here; otherwise that of the natural spline</source>
+        <translation>Podan tukaj; sicer odvod naravnega zlepka</translation>
+    </message>
+    <message>
+        <source>Given</source>
+        <translation>Podan</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::StatusRow</name>
+    <message>
+        <source>x %1   y %2</source>
+        <comment>the pointer&apos;s coordinates</comment>
+        <translation>x %1   y %2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <comment>zoom in percent</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Coordinates of the pointer</source>
+        <translation>Koordinati kazalca</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Merilo</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::SubdivisionProperties</name>
+    <message>
+        <source>Show the curve</source>
+        <translation>Pokaži krivuljo</translation>
+    </message>
+    <message>
+        <source>Show the blossom</source>
+        <translation>Pokaži polarno formo</translation>
+    </message>
+    <message>
+        <source>Parameter t</source>
+        <translation>Parameter t</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Nivoji</translation>
+    </message>
+</context>
 </TS>

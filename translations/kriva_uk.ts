@@ -1,4 +1,1381 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="uk" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Новий</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Відкрити…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Зберегти</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Зберегти &amp;як…</translation>
+    </message>
+    <message>
+        <source>&amp;Export figure…</source>
+        <translation>&amp;Експортувати рисунок…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Ви&amp;йти</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Скасувати</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Повторити</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Вилучити</translation>
+    </message>
+    <message>
+        <source>Delete &amp;last point</source>
+        <translation>Вилучити &amp;останню точку</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the canvas</source>
+        <translation>О&amp;чистити полотно</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>Вибрати в&amp;се</translation>
+    </message>
+    <message>
+        <source>Select n&amp;one</source>
+        <translation>Зняти ви&amp;бір</translation>
+    </message>
+    <message>
+        <source>&amp;Invert the selection</source>
+        <translation>&amp;Обернути вибір</translation>
+    </message>
+    <message>
+        <source>&amp;New curve</source>
+        <translation>&amp;Нова крива</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate the curve</source>
+        <translation>&amp;Дублювати криву</translation>
+    </message>
+    <message>
+        <source>De&amp;lete the curve</source>
+        <translation>&amp;Вилучити криву</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt curve</source>
+        <translation>На&amp;ступна крива</translation>
+    </message>
+    <message>
+        <source>&amp;Reverse</source>
+        <translation>&amp;Обернути</translation>
+    </message>
+    <message>
+        <source>&amp;Edit tool</source>
+        <translation>Інструмент &amp;редагування</translation>
+    </message>
+    <message>
+        <source>&amp;Add tool</source>
+        <translation>Інструмент &amp;додавання</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>З&amp;більшити</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>З&amp;меншити</translation>
+    </message>
+    <message>
+        <source>Zoom to &amp;100 %</source>
+        <translation>Масштаб &amp;100 %</translation>
+    </message>
+    <message>
+        <source>&amp;Fit all</source>
+        <translation>&amp;Умістити все</translation>
+    </message>
+    <message>
+        <source>Fit &amp;selection</source>
+        <translation>Умістити ви&amp;бране</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Сітка</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>&amp;Осі</translation>
+    </message>
+    <message>
+        <source>&amp;Reset panels</source>
+        <translation>Скинути &amp;панелі</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>&amp;На весь екран</translation>
+    </message>
+    <message>
+        <source>&amp;About Kriva</source>
+        <translation>&amp;Про Kriva</translation>
+    </message>
+    <message>
+        <source>About &amp;Qt</source>
+        <translation>Про &amp;Qt</translation>
+    </message>
+</context>
+<context>
+    <name>Caption</name>
+    <message>
+        <source>Degree elevation</source>
+        <translation>Підвищення степеня</translation>
+    </message>
+    <message>
+        <source>Subdivision</source>
+        <translation>Підрозбиття</translation>
+    </message>
+    <message>
+        <source>Spline</source>
+        <translation>Сплайн</translation>
+    </message>
+    <message>
+        <source>Combined algorithm</source>
+        <translation>Комбінований алгоритм</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Крива</translation>
+    </message>
+    <message>
+        <source>Control polygon</source>
+        <translation>Контрольний полігон</translation>
+    </message>
+    <message>
+        <source>Elevated polygon</source>
+        <translation>Полігон підвищеного степеня</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Точки</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Позначення</translation>
+    </message>
+    <message>
+        <source>De Casteljau scheme</source>
+        <translation>Схема де Кастельжо</translation>
+    </message>
+    <message>
+        <source>Curves of degree n − 1</source>
+        <translation>Криві степеня n − 1</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Частини</translation>
+    </message>
+    <message>
+        <source>Left polygon</source>
+        <translation>Лівий полігон</translation>
+    </message>
+    <message>
+        <source>Right polygon</source>
+        <translation>Правий полігон</translation>
+    </message>
+    <message>
+        <source>Point of the curve</source>
+        <translation>Точка кривої</translation>
+    </message>
+    <message>
+        <source>Blossom</source>
+        <translation>Полярна форма</translation>
+    </message>
+    <message>
+        <source>Labels of left and right</source>
+        <translation>Позначення лівого і правого</translation>
+    </message>
+    <message>
+        <source>Degree</source>
+        <translation>Степінь</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Довжина</translation>
+    </message>
+    <message>
+        <source>Bounds</source>
+        <translation>Межі</translation>
+    </message>
+    <message>
+        <source>Degree after elevation</source>
+        <translation>Степінь після підвищення</translation>
+    </message>
+    <message>
+        <source>Gap between polygon and curve</source>
+        <translation>Відстань між полігоном і кривою</translation>
+    </message>
+    <message>
+        <source>Point at t</source>
+        <translation>Точка при t</translation>
+    </message>
+    <message>
+        <source>Derivative at t</source>
+        <translation>Похідна при t</translation>
+    </message>
+    <message>
+        <source>Number of pieces</source>
+        <translation>Кількість частин</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>Вузли</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Маркери</translation>
+    </message>
+    <message>
+        <source>End derivatives</source>
+        <translation>Похідні на кінцях</translation>
+    </message>
+    <message>
+        <source>Length of segment</source>
+        <translation>Довжина сегмента</translation>
+    </message>
+    <message>
+        <source>Coefficients of segment</source>
+        <translation>Коефіцієнти сегмента</translation>
+    </message>
+    <message>
+        <source>Continuity at knot</source>
+        <translation>Неперервність у вузлі</translation>
+    </message>
+    <message>
+        <source>Extrema of the curvature</source>
+        <translation>Екстремуми кривини</translation>
+    </message>
+    <message>
+        <source>Bending energy</source>
+        <translation>Енергія згину</translation>
+    </message>
+    <message>
+        <source>Polygon of the given points</source>
+        <translation>Полігон опорних точок</translation>
+    </message>
+    <message>
+        <source>Monotone runs</source>
+        <translation>Монотонні ділянки</translation>
+    </message>
+    <message>
+        <source>Joins</source>
+        <translation>Сполучення</translation>
+    </message>
+    <message>
+        <source>Middle points of pairs</source>
+        <translation>Проміжні точки пар</translation>
+    </message>
+    <message>
+        <source>Numbers of runs</source>
+        <translation>Номери ділянок</translation>
+    </message>
+    <message>
+        <source>Points of run</source>
+        <translation>Точки ділянки</translation>
+    </message>
+    <message>
+        <source>Degree of run</source>
+        <translation>Степінь ділянки</translation>
+    </message>
+    <message>
+        <source>Coefficients of run</source>
+        <translation>Коефіцієнти ділянки</translation>
+    </message>
+    <message>
+        <source>Residual (root mean square) of run</source>
+        <translation>Нев’язка (середньоквадратична) ділянки</translation>
+    </message>
+    <message>
+        <source>Largest residual of run</source>
+        <translation>Найбільша нев’язка ділянки</translation>
+    </message>
+    <message>
+        <source>Largest kink</source>
+        <translation>Найбільший злам</translation>
+    </message>
+    <message>
+        <source>Slope variation</source>
+        <translation>Варіація нахилу</translation>
+    </message>
+    <message>
+        <source>This curve needs more points</source>
+        <translation>Цій кривій потрібно більше точок</translation>
+    </message>
+</context>
+<context>
+    <name>CommandLine</name>
+    <message>
+        <source>unknown option %1</source>
+        <translation>невідомий параметр %1</translation>
+    </message>
+    <message>
+        <source>a value is missing behind %1</source>
+        <translation>після %1 бракує значення</translation>
+    </message>
+    <message>
+        <source>unknown language %1</source>
+        <translation>невідома мова %1</translation>
+    </message>
+    <message>
+        <source>there is no sheet %1</source>
+        <translation>немає аркуша %1</translation>
+    </message>
+    <message>
+        <source>the option --%1 does not belong here</source>
+        <translation>параметру --%1 тут не місце</translation>
+    </message>
+    <message>
+        <source>export needs one file</source>
+        <translation>export потребує одного файлу</translation>
+    </message>
+    <message>
+        <source>export needs the file to write: -o OUT.svg</source>
+        <translation>export потребує файлу для запису: -o OUT.svg</translation>
+    </message>
+    <message>
+        <source>%1: figures are written as .svg</source>
+        <translation>%1: рисунки записуються як .svg</translation>
+    </message>
+    <message>
+        <source>report needs one file</source>
+        <translation>report потребує одного файлу</translation>
+    </message>
+    <message>
+        <source>there is no format %1</source>
+        <translation>немає формату %1</translation>
+    </message>
+    <message>
+        <source>kriva [FILE...]
+    opens the editor
+kriva export FILE -o OUT.svg [--sheet NAME]
+    draws a sheet: the one named, else the one that was shown when the document was saved
+kriva report FILE [--format json|text] [--sheet NAME]
+    prints the numbers of a document
+
+    --language CODE   en, bg, sl or uk; else the language of the system
+    --sheet NAME      elevation, subdivision, spline or combined
+    --help            this text
+    --version         the version
+
+Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
+</source>
+        <translation>kriva [FILE...]
+    відкриває редактор
+kriva export FILE -o OUT.svg [--sheet NAME]
+    малює аркуш: названий, інакше той, що був показаний під час збереження документа
+kriva report FILE [--format json|text] [--sheet NAME]
+    друкує числа документа
+
+    --language CODE   en, bg, sl або uk; інакше мова системи
+    --sheet NAME      elevation, subdivision, spline або combined
+    --help            цей текст
+    --version         версія
+
+Коди виходу: 0 зроблено, 1 невдача, 2 хибне вживання, 3 ввід відхилено, 4 вивід не записано.
+</translation>
+    </message>
+    <message>
+        <source>%1: there is no curve to draw</source>
+        <translation>%1: немає кривої, яку можна намалювати</translation>
+    </message>
+    <message>
+        <source>the output could not be written</source>
+        <translation>не вдалося записати вивід</translation>
+    </message>
+    <message>
+        <source>the editor needs a display; export and report do without one</source>
+        <translation>редакторові потрібен екран; export і report обходяться без нього</translation>
+    </message>
+    <message>
+        <source>%1; kriva --help tells more</source>
+        <translation>%1; докладніше: kriva --help</translation>
+    </message>
+</context>
+<context>
+    <name>Errors</name>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>рядок %1, стовпець %2</translation>
+    </message>
+    <message>
+        <source>this is no JSON</source>
+        <translation>це не JSON</translation>
+    </message>
+    <message>
+        <source>nested more than %1 deep</source>
+        <translation>вкладено глибше ніж %1</translation>
+    </message>
+    <message>
+        <source>this is no document of Kriva</source>
+        <translation>це не документ Kriva</translation>
+    </message>
+    <message>
+        <source>version %1 needs a newer Kriva</source>
+        <translation>версія %1 потребує новішої Kriva</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>невідомий ключ</translation>
+    </message>
+    <message>
+        <source>the key stands here twice</source>
+        <translation>ключ стоїть тут двічі</translation>
+    </message>
+    <message>
+        <source>the key “%1” is missing</source>
+        <translation>бракує ключа «%1»</translation>
+    </message>
+    <message>
+        <source>expected an object</source>
+        <translation>очікувався об’єкт</translation>
+    </message>
+    <message>
+        <source>expected a list</source>
+        <translation>очікувався список</translation>
+    </message>
+    <message>
+        <source>expected a text</source>
+        <translation>очікувався текст</translation>
+    </message>
+    <message>
+        <source>expected true or false</source>
+        <translation>очікувалося true або false</translation>
+    </message>
+    <message>
+        <source>expected a number</source>
+        <translation>очікувалося число</translation>
+    </message>
+    <message>
+        <source>expected a whole number from %1 to %2</source>
+        <translation>очікувалося ціле число від %1 до %2</translation>
+    </message>
+    <message>
+        <source>expected a number from %1 to %2</source>
+        <translation>очікувалося число від %1 до %2</translation>
+    </message>
+    <message>
+        <source>expected a number between %1 and %2</source>
+        <translation>очікувалося число між %1 і %2</translation>
+    </message>
+    <message>
+        <source>expected two finite numbers</source>
+        <translation>очікувалося два скінченні числа</translation>
+    </message>
+    <message>
+        <source>expected one of: %1</source>
+        <translation>очікувалося одне з: %1</translation>
+    </message>
+    <message>
+        <source>expected a colour like #0072b2</source>
+        <translation>очікувався колір на зразок #0072b2</translation>
+    </message>
+    <message numerus="yes">
+        <source>expected %n element(s)</source>
+        <translation>
+            <numerusform>очікувався %n елемент</numerusform>
+            <numerusform>очікувалися %n елементи</numerusform>
+            <numerusform>очікувалося %n елементів</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>more than %1 is too many</source>
+        <translation>більше ніж %1 — забагато</translation>
+    </message>
+    <message>
+        <source>no such index</source>
+        <translation>такого індексу немає</translation>
+    </message>
+    <message>
+        <source>the file is larger than %1 bytes</source>
+        <translation>файл більший за %1 байтів</translation>
+    </message>
+    <message>
+        <source>this figure has no document of Kriva inside</source>
+        <translation>у цьому рисунку немає документа Kriva</translation>
+    </message>
+    <message>
+        <source>this is no XML</source>
+        <translation>це не XML</translation>
+    </message>
+    <message>
+        <source>the document type has declarations of its own</source>
+        <translation>тип документа має власні оголошення</translation>
+    </message>
+    <message>
+        <source>more than %1 elements are too many</source>
+        <translation>більше ніж %1 елементів — забагато</translation>
+    </message>
+    <message>
+        <source>more than %1 attributes are too many</source>
+        <translation>більше ніж %1 атрибутів — забагато</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file</source>
+        <translation>%1: такого файлу немає</translation>
+    </message>
+    <message>
+        <source>%1: this is no regular file</source>
+        <translation>%1: це не звичайний файл</translation>
+    </message>
+    <message>
+        <source>%1: the file is larger than %2 bytes</source>
+        <translation>%1: файл більший за %2 байтів</translation>
+    </message>
+    <message>
+        <source>%1: reading is not permitted</source>
+        <translation>%1: читати не дозволено</translation>
+    </message>
+    <message>
+        <source>%1: the file cannot be read (%2)</source>
+        <translation>%1: файл не вдається прочитати (%2)</translation>
+    </message>
+    <message>
+        <source>%1: there is no such folder</source>
+        <translation>%1: такої теки немає</translation>
+    </message>
+    <message>
+        <source>%1: writing is not permitted</source>
+        <translation>%1: писати не дозволено</translation>
+    </message>
+    <message>
+        <source>%1: there is no space left</source>
+        <translation>%1: не лишилося місця</translation>
+    </message>
+    <message>
+        <source>%1: the file cannot be written (%2)</source>
+        <translation>%1: файл не вдається записати (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>ExportFigure</name>
+    <message>
+        <source>Export figure</source>
+        <translation>Експорт рисунка</translation>
+    </message>
+    <message>
+        <source>SVG figures (*.svg)</source>
+        <translation>Рисунки SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>The figure was not written</source>
+        <translation>Рисунок не записано</translation>
+    </message>
+</context>
+<context>
+    <name>Hint</name>
+    <message>
+        <source>The clipboard holds no table of two numbers in each line</source>
+        <translation>У буфері немає таблиці з двома числами в кожному рядку</translation>
+    </message>
+    <message>
+        <source>Drag: move the handle</source>
+        <translation>Перетягування: рухає маркер</translation>
+    </message>
+    <message>
+        <source>Alt+click: remove the point</source>
+        <translation>Alt+клацання: вилучає точку</translation>
+    </message>
+    <message>
+        <source>Drag: move the point, Ctrl: along an axis   Alt+click: remove it</source>
+        <translation>Перетягування: рухає точку, Ctrl: уздовж осі   Alt+клацання: вилучає її</translation>
+    </message>
+    <message>
+        <source>Drag: mould the curve   Double-click: insert a point</source>
+        <translation>Перетягування: згинає криву   Подвійне клацання: вставляє точку</translation>
+    </message>
+    <message>
+        <source>Click: add a point   Esc: end</source>
+        <translation>Клацання: додає точку   Esc: кінець</translation>
+    </message>
+    <message>
+        <source>Alt+click: add a point</source>
+        <translation>Alt+клацання: додає точку</translation>
+    </message>
+    <message>
+        <source>Double-click or Alt+click: add a point   Drag: select points   Ctrl+wheel: zoom</source>
+        <translation>Подвійне клацання або Alt+клацання: додає точку   Перетягування: вибирає точки   Ctrl+коліщатко: масштаб</translation>
+    </message>
+    <message>
+        <source>No point can be inserted here</source>
+        <translation>Тут не можна вставити точку</translation>
+    </message>
+    <message>
+        <source>This curve follows its points; drag them</source>
+        <translation>Ця крива йде за своїми точками; перетягуйте їх</translation>
+    </message>
+    <message>
+        <source>The blossom needs as many numbers as the degree</source>
+        <translation>Полярна форма потребує стільки чисел, який степінь</translation>
+    </message>
+</context>
+<context>
+    <name>Menus</name>
+    <message>
+        <source>A cubic raised 97 times</source>
+        <translation>Кубічна крива, підвищена 97 разів</translation>
+    </message>
+    <message>
+        <source>De Casteljau at t = 1/2</source>
+        <translation>Де Кастельжо при t = 1/2</translation>
+    </message>
+    <message>
+        <source>The blossom b[t₁, t₂, t₃]</source>
+        <translation>Полярна форма b[t₁, t₂, t₃]</translation>
+    </message>
+    <message>
+        <source>An arc with double and triple points</source>
+        <translation>Дуга з подвійними і потрійними точками</translation>
+    </message>
+    <message>
+        <source>A chain with three self-intersections</source>
+        <translation>Ланцюг із трьома самоперетинами</translation>
+    </message>
+    <message>
+        <source>A clamped cubic spline</source>
+        <translation>Затиснутий кубічний сплайн</translation>
+    </message>
+    <message>
+        <source>Runge&apos;s function</source>
+        <translation>Функція Рунге</translation>
+    </message>
+    <message>
+        <source>A curve with five monotone runs</source>
+        <translation>Крива з п’ятьма монотонними ділянками</translation>
+    </message>
+    <message>
+        <source>The outline of a leaf</source>
+        <translation>Обрис листка</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Файл</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Відкрити не&amp;давні</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Зміни</translation>
+    </message>
+    <message>
+        <source>&amp;Curve</source>
+        <translation>&amp;Крива</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Вигляд</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Панелі</translation>
+    </message>
+    <message>
+        <source>&amp;Settings</source>
+        <translation>П&amp;араметри</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Мова</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Тема</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>&amp;Системна</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>Св&amp;ітла</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Темна</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Довідка</translation>
+    </message>
+    <message>
+        <source>&amp;Examples</source>
+        <translation>При&amp;клади</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Панель інструментів</translation>
+    </message>
+</context>
+<context>
+    <name>PointColumn</name>
+    <message>
+        <source>Join</source>
+        <translation>Сполучення</translation>
+    </message>
+    <message>
+        <source>Multiplicity</source>
+        <translation>Кратність</translation>
+    </message>
+</context>
+<context>
+    <name>Properties</name>
+    <message>
+        <source>Method</source>
+        <translation>Метод</translation>
+    </message>
+    <message>
+        <source>Approximation</source>
+        <translation>Апроксимація</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Інтерполяція</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Пари</translation>
+    </message>
+    <message>
+        <source>Degree</source>
+        <translation>Степінь</translation>
+    </message>
+    <message>
+        <source>Basis</source>
+        <translation>Базис</translation>
+    </message>
+    <message>
+        <source>Power basis</source>
+        <translation>Степеневий базис</translation>
+    </message>
+    <message>
+        <source>Newton basis</source>
+        <translation>Базис Ньютона</translation>
+    </message>
+    <message>
+        <source>Lagrange basis</source>
+        <translation>Базис Лагранжа</translation>
+    </message>
+    <message>
+        <source>Chebyshev basis</source>
+        <translation>Базис Чебишова</translation>
+    </message>
+    <message>
+        <source>Corrected pairs</source>
+        <translation>Скориговані пари</translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation>Анімація</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Правило</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Дзеркальне</translation>
+    </message>
+    <message>
+        <source>Natural</source>
+        <translation>Природний</translation>
+    </message>
+    <message>
+        <source>Clamped</source>
+        <translation>Затиснутий</translation>
+    </message>
+    <message>
+        <source>Catmull–Rom</source>
+        <translation>Катмулла–Рома</translation>
+    </message>
+    <message>
+        <source>Selected knots</source>
+        <translation>Вибрані вузли</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Сполучення</translation>
+    </message>
+    <message>
+        <source>End derivatives</source>
+        <translation>Похідні на кінцях</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Початок</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Кінець</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Автоматичний</translation>
+    </message>
+    <message>
+        <source>Symmetric</source>
+        <translation>Симетричний</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Гладкий</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Кутовий</translation>
+    </message>
+    <message>
+        <source>Parameter t</source>
+        <translation>Параметр t</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Рівні</translation>
+    </message>
+    <message>
+        <source>Multiplicity of the selected point</source>
+        <translation>Кратність вибраної точки</translation>
+    </message>
+    <message>
+        <source>Blossom</source>
+        <translation>Полярна форма</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>Аргументи</translation>
+    </message>
+    <message>
+        <source>Runs over</source>
+        <translation>Іде за</translation>
+    </message>
+</context>
+<context>
+    <name>Sheet</name>
+    <message>
+        <source>Combined</source>
+        <translation>Комбінований</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Підвищення</translation>
+    </message>
+    <message>
+        <source>Spline</source>
+        <translation>Сплайн</translation>
+    </message>
+    <message>
+        <source>Subdivision</source>
+        <translation>Підрозбиття</translation>
+    </message>
+</context>
+<context>
+    <name>SheetTab</name>
+    <message>
+        <source>Curves</source>
+        <translation>Криві</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Точки</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Шари</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Властивості</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Результати</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Історія</translation>
+    </message>
+</context>
+<context>
+    <name>Step</name>
+    <message>
+        <source>Set the method</source>
+        <translation>Зміна методу</translation>
+    </message>
+    <message>
+        <source>Set the degree</source>
+        <translation>Зміна степеня</translation>
+    </message>
+    <message>
+        <source>Set the basis</source>
+        <translation>Зміна базису</translation>
+    </message>
+    <message>
+        <source>Back to automatic</source>
+        <translation>Назад до автоматичного</translation>
+    </message>
+    <message>
+        <source>Raise the degree</source>
+        <translation>Підвищення степеня</translation>
+    </message>
+    <message>
+        <source>Keep the stage</source>
+        <translation>Збереження етапу</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Додавання точки</translation>
+    </message>
+    <message>
+        <source>Add points</source>
+        <translation>Додавання точок</translation>
+    </message>
+    <message>
+        <source>Insert a point</source>
+        <translation>Вставлення точки</translation>
+    </message>
+    <message>
+        <source>Remove point %1</source>
+        <translation>Вилучення точки %1</translation>
+    </message>
+    <message>
+        <source>Remove points</source>
+        <translation>Вилучення точок</translation>
+    </message>
+    <message>
+        <source>Nudge</source>
+        <translation>Зсув на крок</translation>
+    </message>
+    <message>
+        <source>Reverse the curve</source>
+        <translation>Обернення кривої</translation>
+    </message>
+    <message>
+        <source>New curve</source>
+        <translation>Нова крива</translation>
+    </message>
+    <message>
+        <source>Duplicate the curve</source>
+        <translation>Дублювання кривої</translation>
+    </message>
+    <message>
+        <source>Delete the curve</source>
+        <translation>Вилучення кривої</translation>
+    </message>
+    <message>
+        <source>Rename the curve</source>
+        <translation>Перейменування кривої</translation>
+    </message>
+    <message>
+        <source>Colour the curve</source>
+        <translation>Зміна кольору кривої</translation>
+    </message>
+    <message>
+        <source>Reorder the curves</source>
+        <translation>Зміна порядку кривих</translation>
+    </message>
+    <message>
+        <source>Clear the canvas</source>
+        <translation>Очищення полотна</translation>
+    </message>
+    <message>
+        <source>Move points</source>
+        <translation>Переміщення точок</translation>
+    </message>
+    <message>
+        <source>Mould the curve</source>
+        <translation>Згинання кривої</translation>
+    </message>
+    <message>
+        <source>Move point %1</source>
+        <translation>Переміщення точки %1</translation>
+    </message>
+    <message>
+        <source>Move a handle of knot %1</source>
+        <translation>Переміщення маркера вузла %1</translation>
+    </message>
+    <message>
+        <source>Move an inner point of segment %1</source>
+        <translation>Переміщення внутрішньої точки сегмента %1</translation>
+    </message>
+    <message>
+        <source>Move the middle point of pair %1</source>
+        <translation>Переміщення проміжної точки пари %1</translation>
+    </message>
+    <message>
+        <source>Change the start derivative</source>
+        <translation>Зміна початкової похідної</translation>
+    </message>
+    <message>
+        <source>Change the end derivative</source>
+        <translation>Зміна кінцевої похідної</translation>
+    </message>
+    <message>
+        <source>Set the rule</source>
+        <translation>Зміна правила</translation>
+    </message>
+    <message>
+        <source>Close the curve</source>
+        <translation>Замикання кривої</translation>
+    </message>
+    <message>
+        <source>Open the curve</source>
+        <translation>Розмикання кривої</translation>
+    </message>
+    <message>
+        <source>Set the join</source>
+        <translation>Зміна сполучення</translation>
+    </message>
+    <message>
+        <source>Set the parameter t</source>
+        <translation>Зміна параметра t</translation>
+    </message>
+    <message>
+        <source>Set the levels</source>
+        <translation>Зміна рівнів</translation>
+    </message>
+    <message>
+        <source>Set the multiplicity</source>
+        <translation>Зміна кратності</translation>
+    </message>
+    <message>
+        <source>Show the blossom</source>
+        <translation>Показ полярної форми</translation>
+    </message>
+    <message>
+        <source>Set the blossom</source>
+        <translation>Зміна полярної форми</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::AboutDialog</name>
+    <message>
+        <source>About Kriva</source>
+        <translation>Про Kriva</translation>
+    </message>
+    <message>
+        <source>A workbench for Bézier curves.</source>
+        <translation>Майстерня кривих Без’є.</translation>
+    </message>
+    <message>
+        <source>Free software under the MIT licence.</source>
+        <translation>Вільна програма за ліцензією MIT.</translation>
+    </message>
+    <message>
+        <source>Built on %1 (LGPL, dynamically linked), Eigen, JSON for Modern C++ and pugixml.</source>
+        <translation>Побудовано на %1 (LGPL, динамічно приєднано), Eigen, JSON for Modern C++ і pugixml.</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::CombinedProperties</name>
+    <message>
+        <source>Back to automatic</source>
+        <translation>Назад до автоматичного</translation>
+    </message>
+    <message>
+        <source>Puts the selected middle points, or all where none is selected, where the tangents meet</source>
+        <translation>Ставить вибрані проміжні точки, або всі, якщо не вибрано жодної, туди, де перетинаються дотичні</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::CurvesModel</name>
+    <message>
+        <source>Curve %1</source>
+        <translation>Крива %1</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::CurvesPanel</name>
+    <message>
+        <source>New curve</source>
+        <translation>Нова крива</translation>
+    </message>
+    <message>
+        <source>Duplicate the curve</source>
+        <translation>Дублювати криву</translation>
+    </message>
+    <message>
+        <source>Delete the curve</source>
+        <translation>Вилучити криву</translation>
+    </message>
+    <message>
+        <source>Move the curve up</source>
+        <translation>Посунути криву вгору</translation>
+    </message>
+    <message>
+        <source>Move the curve down</source>
+        <translation>Посунути криву вниз</translation>
+    </message>
+    <message>
+        <source>Colour of the curve</source>
+        <translation>Колір кривої</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Криві</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::DocumentSession</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Без назви</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Відкриття</translation>
+    </message>
+    <message>
+        <source>Documents and figures of Kriva (*.kriva *.svg)</source>
+        <translation>Документи й рисунки Kriva (*.kriva *.svg)</translation>
+    </message>
+    <message>
+        <source>The file was not opened</source>
+        <translation>Файл не відкрито</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Збереження як</translation>
+    </message>
+    <message>
+        <source>Documents of Kriva (*.kriva)</source>
+        <translation>Документи Kriva (*.kriva)</translation>
+    </message>
+    <message>
+        <source>The document was not saved</source>
+        <translation>Документ не збережено</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Незбережені зміни</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Зберегти зміни у «%1»?</translation>
+    </message>
+    <message>
+        <source>Without saving they are lost.</source>
+        <translation>Без збереження їх буде втрачено.</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::HistoryPanel</name>
+    <message>
+        <source>History</source>
+        <translation>Історія</translation>
+    </message>
+    <message>
+        <source>Beginning</source>
+        <translation>Початок</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Шари</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::MainWindow</name>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Скасувати: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Скасувати</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Повторити: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Повторити</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::NumberField</name>
+    <message>
+        <source>A whole number from %1 to %2 is needed.</source>
+        <translation>Потрібне ціле число від %1 до %2.</translation>
+    </message>
+    <message>
+        <source>A number above %1 and below %2 is needed.</source>
+        <translation>Потрібне число більше за %1 і менше за %2.</translation>
+    </message>
+    <message>
+        <source>A number from %1 to %2 is needed.</source>
+        <translation>Потрібне число від %1 до %2.</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::Player</name>
+    <message>
+        <source>%1×</source>
+        <comment>speed of an animation</comment>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>One stage back</source>
+        <translation>На етап назад</translation>
+    </message>
+    <message>
+        <source>One stage on</source>
+        <translation>На етап уперед</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Пауза</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Відтворити</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Повільніше</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Швидше</translation>
+    </message>
+    <message>
+        <source>Over and over</source>
+        <translation>Знову і знову</translation>
+    </message>
+    <message>
+        <source>Direction of the animation: forwards</source>
+        <translation>Напрямок анімації: уперед</translation>
+    </message>
+    <message>
+        <source>Direction of the animation: backwards</source>
+        <translation>Напрямок анімації: назад</translation>
+    </message>
+    <message>
+        <source>Direction of the animation: to and fro</source>
+        <translation>Напрямок анімації: туди й назад</translation>
+    </message>
+    <message>
+        <source>Animation speed</source>
+        <translation>Швидкість анімації</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Етап</translation>
+    </message>
+    <message>
+        <source>Keep this stage</source>
+        <translation>Зберегти цей етап</translation>
+    </message>
+    <message>
+        <source>Writes the stage on view into the document</source>
+        <translation>Записує показаний етап у документ</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::PointsPanel</name>
+    <message>
+        <source>Points</source>
+        <translation>Точки</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::PropertiesPanel</name>
+    <message>
+        <source>Less</source>
+        <translation>Менше</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Більше</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ResultsPanel</name>
+    <message>
+        <source>Results</source>
+        <translation>Результати</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Назва</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Значення</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::SplineProperties</name>
+    <message>
+        <source>Closed</source>
+        <translation>Замкнена</translation>
+    </message>
+    <message>
+        <source>Given here; otherwise that of the natural spline</source>
+        <translation>Задана тут; інакше та, що в природного сплайна</translation>
+    </message>
+    <message>
+        <source>Given</source>
+        <translation>Задана</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::StatusRow</name>
+    <message>
+        <source>x %1   y %2</source>
+        <comment>the pointer&apos;s coordinates</comment>
+        <translation>x %1   y %2</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <comment>zoom in percent</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Coordinates of the pointer</source>
+        <translation>Координати вказівника</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Масштаб</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::SubdivisionProperties</name>
+    <message>
+        <source>Show the curve</source>
+        <translation>Показати криву</translation>
+    </message>
+    <message>
+        <source>Show the blossom</source>
+        <translation>Показати полярну форму</translation>
+    </message>
+    <message>
+        <source>Parameter t</source>
+        <translation>Параметр t</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Рівні</translation>
+    </message>
+</context>
 </TS>

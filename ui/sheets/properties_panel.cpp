@@ -68,7 +68,8 @@ QComboBox* PropertiesPanel::addChoice(const char* label, std::vector<const char*
     auto* box = new QComboBox(this);
     for (std::size_t i = 0; i < entries.size(); ++i)
         box->addItem(QString());
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents); // also when a switch of the language makes texts longer
     connect(box, &QComboBox::activated, this,
             [this, change, step](int index) { editor_.change(change(*editor_.activeCurve(), index), step); });
     choices_.push_back({box, std::move(entries)});
