@@ -113,7 +113,7 @@ Figure figureOf(const SplineCurve& curve, const FigureContext& context) {
     if (!isIncomplete(curve)) {
         figure.layers.push_back(polygonLayer(chain));
         figure.layers.push_back(
-            {"curve", {{kriva::chain(chain.segments, curve.closed), Role::curve, 0, 1, curve.style}}});
+            {"curve", {{kriva::chain(chain.segments, curve.closed), Role::curve, 0, 1, curve.style, context.curve}}});
         if (context.isActive)
             figure.layers.push_back(endDerivativesLayer(curve, handles));
         figure.layers.push_back(handlesLayer(curve, chain, handles));
