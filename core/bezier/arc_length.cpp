@@ -1,10 +1,10 @@
 #include "core/bezier/arc_length.h"
 
-#include "core/polynomial/bernstein_polynomial.h"
 #include "core/polynomial/casteljau.h"
 #include "core/polynomial/gauss_legendre.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <optional>
 
@@ -12,205 +12,261 @@ namespace kriva {
 
 namespace {
 
-/// Share of the error that a piece may have of its own length, and every piece of the whole length. There are less
-/// than 200 pieces at a cusp, so both together stay below 1e-12.
-constexpr double kOwnError = 2e-13;
-constexpr double kSharedError = 1e-15;
-
-/// Halvings after which a piece is too short to matter: 2^-60 of the largest speed times the parameter.
-constexpr int kDeepest = 60;
-
-/// A part of the curve on which one Gauss rule gives the length.
-struct Piece {
-    std::vector<Vector> speed; // control vectors of the derivative by the local parameter
-    double from = 0;
-    double to = 1;
-    std::size_t rule = 0;
+/// How exact the length of a piece must be, relative to itself, if it is at most this share of the whole.
+struct Accuracy {
+    double share = 0;
+    double error = 0;
 };
 
-double power(double base, std::size_t exponent) {
+/// A short piece may be off by 1e-15 of the whole; a cusp has less than 200 of them. In all this stays below 1e-12.
+constexpr std::array<Accuracy, 4> kAccuracies{{{1e-15, 1}, {1e-10, 1e-5}, {1e-6, 1e-9}, {1e9, 1e-13}}};
+
+/// Halvings after which a piece is too short to matter in any curve.
+constexpr int kDeepest = 60;
+
+/// Gauss points of one piece: at low degree halving is cheap and helps more, at high degree it is not.
+constexpr double kMostPoints = 24;
+constexpr double kMostPointsByDegree = 9;
+
+constexpr double power(double base, std::size_t exponent) {
     double result = 1;
     for (; exponent > 0; exponent /= 2, base *= base)
         result *= exponent % 2 == 1 ? base : 1;
     return result;
 }
 
+/// Half the sum of the axes of the smallest Bernstein ellipse in which an integrand within 3 m of m must be analytic
+/// for a Gauss rule to be as exact as asked, relative to m: 32/5 rho^(2 - 2 N) / (1 - rho^-2) <= error. In this ellipse
+/// around [0, 1], |t| + |1 - t| <= (rho + 1 / rho) / 2.
+constexpr double axisNeeded(int points, double error) {
+    double low = 1;
+    double high = 1e8;
+    for (int i = 0; i < 60; ++i) {
+        const double rho = low / 2 + high / 2;
+        const double decay = power(1 / rho, static_cast<std::size_t>(2 * points - 2));
+        const bool enough = decay <= error / 6.4 * (1 - 1 / (rho * rho));
+        (enough ? high : low) = rho;
+    }
+    return high / 2 + 1 / (2 * high);
+}
+
+/// axisNeeded() by accuracy and rule.
+constexpr auto kAxes = [] {
+    std::array<std::array<double, kGaussSizes.size()>, kAccuracies.size()> axes{};
+    for (std::size_t i = 0; i < kAccuracies.size(); ++i)
+        for (std::size_t rule = 0; rule < kGaussSizes.size(); ++rule)
+            axes[i][rule] = axisNeeded(kGaussSizes[rule], kAccuracies[i].error);
+    return axes;
+}();
+
 double size(Vector v) {
     return std::sqrt(dot(v, v));
 }
 
-/// How many points a rule needs, as an index of gaussSizes(), for an error of at most `allowed` on a piece with these
-/// control vectors; nothing if it is better to halve the piece.
-///
-/// With m any vector and D = max |c_i - m|, the derivative c(t) as a complex polynomial of degree d satisfies
-/// |c(t) - m| <= (|t| + |1 - t|)^d D for complex t, and so does its conjugate polynomial. Where this is below |m|,
-/// the speed sqrt(c conj(c)) is analytic and within 3 |m| of |m|. That is inside the ellipse |t| + |1 - t| = s with
-/// s^d = |m| / D, whose Bernstein parameter is rho = s + sqrt(s^2 - 1).
-std::optional<std::size_t> sufficientRule(std::span<const Vector> speed, double shared) {
-    const std::size_t degree = speed.size() - 1;
-    Vector low = speed.front();
-    Vector high = speed.front();
-    for (const Vector c : speed) {
-        low = {std::min(low.x, c.x), std::min(low.y, c.y)};
-        high = {std::max(high.x, c.x), std::max(high.y, c.y)};
+/// A derivative as a line plus a rest: sizes of the middle of the line, of its half, of the largest Bernstein
+/// coefficient of the rest.
+struct Spread {
+    double middle = 0;
+    double half = 0;
+    double rest = 0;
+};
+
+Spread spreadOf(std::span<const Vector> speed) {
+    const Vector start = speed.front();
+    const Vector way = speed.back() - start;
+    double rest = 0;
+    for (std::size_t i = 1; i + 1 < speed.size(); ++i) {
+        const double t = static_cast<double>(i) / static_cast<double>(speed.size() - 1);
+        const Vector off = speed[i] - start - t * way;
+        rest = std::max(rest, dot(off, off));
     }
-    const Vector m = low / 2 + high / 2;
-    double deviation = 0;
-    for (const Vector c : speed)
-        deviation = std::max(deviation, dot(c - m, c - m));
-    deviation = std::sqrt(deviation);
-    const double mean = size(m);
-    const double allowed = kOwnError * (mean - deviation) + shared;
-    // Even the control polygon is shorter than the allowed error.
-    if (mean + deviation <= allowed || deviation == 0)
+    return {size(start + way / 2), size(way) / 2, std::sqrt(rest)};
+}
+
+/// The smallest Gauss rule that is enough for a piece with this derivative, of which the whole curve is at least
+/// `whole` long in units of the piece's parameter; nothing where it is better to halve the piece.
+///
+/// For complex t with |t| + |1 - t| <= s the derivative c of degree d, and its conjugate polynomial too, is within
+/// s half + s^d rest of the middle. Where that is below the size of the middle, both have no zero, so the speed
+/// sqrt(c conj(c)) is analytic there, and within three times the middle's size of it.
+std::optional<std::size_t> sufficientRule(std::span<const Vector> speed, double whole) {
+    const std::size_t degree = speed.size() - 1;
+    const Spread spread = spreadOf(speed);
+    const double longest = spread.middle + spread.half + spread.rest;
+    std::size_t accuracy = 0;
+    while (accuracy + 1 < kAccuracies.size() && longest > kAccuracies[accuracy].share * whole)
+        ++accuracy;
+    if (kAccuracies[accuracy].error == 1)
         return 0;
-    if (deviation >= mean)
-        return std::nullopt;
-    const double s = std::pow(mean / deviation, 1 / static_cast<double>(degree));
-    const double rho = s + std::sqrt(s * s - 1);
-    const double points = 1 + std::log(6.4 * mean / (allowed * (1 - 1 / (rho * rho)))) / (2 * std::log(rho));
-    // Halving costs more than further points, the more so the higher the degree.
-    const double most = std::max(16.0, 9 * std::sqrt(static_cast<double>(degree)));
-    if (points > most)
-        return std::nullopt;
-    const auto enough = std::ranges::lower_bound(gaussSizes(), points);
-    if (enough == gaussSizes().end())
-        return std::nullopt;
-    return static_cast<std::size_t>(enough - gaussSizes().begin());
+    const double most = std::max(kMostPoints, kMostPointsByDegree * std::sqrt(static_cast<double>(degree)));
+    for (std::size_t rule = 0; rule < kGaussSizes.size() && kGaussSizes[rule] <= most; ++rule) {
+        const double axis = kAxes[accuracy][rule];
+        if (axis * spread.half + power(axis, degree) * spread.rest < spread.middle)
+            return rule;
+    }
+    return std::nullopt;
 }
 
 /// The integral of |c(t)| over [0, 1] by a Gauss rule. c is evaluated as (1 - t)^d times a polynomial in t / (1 - t),
 /// and at the mirrored node with the coefficients reversed.
-double integral(std::span<const Vector> speed, std::span<const double> binomial, std::size_t rule) {
+template <class Row>
+double integral(Row speed, std::size_t rule) {
     const std::size_t degree = speed.size() - 1;
+    double binomial = 1;
+    for (std::size_t i = 0; i <= degree; ++i) {
+        speed[i] = binomial * speed[i];
+        binomial = binomial * static_cast<double>(degree - i) / static_cast<double>(i + 1);
+    }
     double sum = 0;
     for (const GaussNode node : gaussNodes(rule)) {
         const double ratio = node.at / (1 - node.at);
-        Vector near = binomial[degree] * speed[degree];
-        Vector far = binomial[degree] * speed[0];
-        for (std::size_t i = degree; i-- > 0;) {
-            near = ratio * near + binomial[i] * speed[i];
-            far = ratio * far + binomial[i] * speed[degree - i];
+        Vector near = speed[degree];
+        Vector far = speed[0];
+        for (std::size_t i = 1; i <= degree; ++i) {
+            near = ratio * near + speed[degree - i];
+            far = ratio * far + speed[i];
         }
         sum += node.weight * power(1 - node.at, degree) * (size(near) + size(far));
     }
     return sum;
 }
 
-/// Calls `use` with the pieces of the curve in order. `lower` is a lower bound of the whole length.
-template <class Use>
-void forEachPiece(Piece& piece, double lower, int depth, const Use& use) {
-    const double width = piece.to - piece.from;
-    const auto rule = sufficientRule(piece.speed, kSharedError * lower / width);
-    if (rule || depth == kDeepest) {
-        piece.rule = rule.value_or(0);
-        use(piece);
-        return;
-    }
-    const double middle = piece.from / 2 + piece.to / 2;
-    Piece left{std::vector<Vector>(piece.speed.size()), piece.from, middle, 0};
-    splitInPlace(std::span(piece.speed), std::span(left.speed), 0.5);
-    forEachPiece(left, lower, depth + 1, use);
-    piece.from = middle;
-    forEachPiece(piece, lower, depth + 1, use);
-}
+/// A part of the curve on which one Gauss rule gives the length. Row is a container of control vectors.
+template <class Row>
+struct Piece {
+    Row speed; ///< the derivative by the curve's parameter
+    double from = 0;
+    double to = 1;
+    std::size_t rule = 0;
 
-/// The curve's derivative divided by its largest component, so that squares neither overflow nor vanish.
-struct ScaledSpeed {
-    std::vector<Vector> speed;
-    double scale = 0;
+    [[nodiscard]] double width() const { return to - from; }
+    [[nodiscard]] double length() const { return width() * integral(speed, rule); }
 };
 
-ScaledSpeed scaledSpeed(std::span<const Point> curve) {
-    ScaledSpeed result;
-    const auto degree = static_cast<double>(curve.size() - 1);
-    for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-        const Vector step = degree * (curve[i + 1] - curve[i]);
-        result.speed.push_back(step);
-        result.scale = std::max({result.scale, std::abs(step.x), std::abs(step.y)});
+/// Calls `use` with the pieces of the curve in order, until it returns false. `whole` is a lower bound of the length.
+template <class Row, class Use>
+bool forEachPiece(Piece<Row>& piece, double whole, int depth, const Use& use) {
+    const auto rule = sufficientRule(piece.speed, whole / piece.width());
+    if (rule || depth == kDeepest) {
+        piece.rule = rule.value_or(0);
+        return use(piece);
     }
-    if (result.scale > 0)
-        for (Vector& c : result.speed)
-            c = c / result.scale;
-    return result;
+    const double middle = piece.from / 2 + piece.to / 2;
+    Piece<Row> left{piece.speed, piece.from, middle, 0};
+    splitInPlace(std::span<Vector>(piece.speed), std::span<Vector>(left.speed), 0.5);
+    piece.from = middle;
+    return forEachPiece(left, whole, depth + 1, use) && forEachPiece(piece, whole, depth + 1, use);
 }
 
-/// A lower bound of the length: the polyline through nine points of the curve, whose derivative has these control
-/// vectors.
-double lowerBound(std::span<const Vector> speed) {
-    constexpr int kParts = 8;
-    const auto degree = static_cast<double>(speed.size());
-    std::vector<Vector> points{{0, 0}};
-    for (const Vector c : speed)
-        points.push_back(points.back() + c / degree);
+/// A lower bound of the length, from the polyline through five points of the curve.
+template <class Row>
+double lowerBound(const Row& speed) {
     double sum = 0;
-    Vector before{0, 0};
-    for (int i = 1; i <= kParts; ++i) {
-        std::vector<Vector> row = points;
-        const Vector here = valueInPlace(std::span(row), static_cast<double>(i) / kParts);
-        sum += size(here - before);
-        before = here;
+    Row rest = speed;
+    Row part = speed;
+    for (int parts = 4; parts > 0; --parts) {
+        splitInPlace(std::span<Vector>(rest), std::span<Vector>(part), 1.0 / parts);
+        Vector chord;
+        for (const Vector c : part)
+            chord = chord + c;
+        sum += size(chord) / 4;
     }
-    return sum;
+    return sum / static_cast<double>(speed.size());
+}
+
+/// The largest component of a side of the control polygon.
+double largestSide(std::span<const Point> curve) {
+    double largest = 0;
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+        largest = std::max({largest, std::abs(curve[i + 1].x - curve[i].x), std::abs(curve[i + 1].y - curve[i].y)});
+    return largest;
+}
+
+/// Calls `use` with the pieces of the curve divided by `scale`, so that squares neither overflow nor vanish.
+template <class Row, class Use>
+void forEachPieceOf(std::span<const Point> curve, double scale, Row row, const Use& use) {
+    const auto degree = static_cast<double>(curve.size() - 1);
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+        row[i] = (curve[i + 1] - curve[i]) / scale * degree;
+    Piece<Row> all{row, 0, 1, 0};
+    forEachPiece(all, lowerBound(row), 0, use);
+}
+
+/// The same, with rows of fixed size at the degrees that splines have: they need no heap.
+template <class Use>
+void forEachScaledPiece(std::span<const Point> curve, double scale, const Use& use) {
+    switch (curve.size()) {
+    case 3:
+        return forEachPieceOf(curve, scale, std::array<Vector, 2>{}, use);
+    case 4:
+        return forEachPieceOf(curve, scale, std::array<Vector, 3>{}, use);
+    case 5:
+        return forEachPieceOf(curve, scale, std::array<Vector, 4>{}, use);
+    case 6:
+        return forEachPieceOf(curve, scale, std::array<Vector, 5>{}, use);
+    default:
+        return forEachPieceOf(curve, scale, std::vector<Vector>(curve.size() - 1), use);
+    }
+}
+
+/// The local parameter at which a piece has run through `rest` of its length. The length grows with the parameter, so
+/// Newton's method in a bracket cannot miss; the rule of the piece is enough for its parts, whose ellipses lie inside
+/// its own.
+template <class Row>
+double parameterInPiece(const Piece<Row>& piece, double rest) {
+    double low = 0;
+    double high = 1;
+    double t = 0.5;
+    // Newton's steps double the digits; 60 halvings reach the last one without them.
+    for (int step = 0; step < 60; ++step) {
+        Row end = piece.speed;
+        Row start = piece.speed;
+        splitInPlace(std::span<Vector>(end), std::span<Vector>(start), t);
+        const double excess = piece.width() * t * integral(start, piece.rule) - rest;
+        (excess > 0 ? high : low) = t;
+        const double next = t - excess / (piece.width() * size(end.front()));
+        const double before = t;
+        t = low < next && next < high ? next : low / 2 + high / 2;
+        if (std::abs(t - before) <= 1e-16)
+            break;
+    }
+    return t;
 }
 
 } // namespace
 
 double arcLength(std::span<const Point> curve) {
     assert(!curve.empty());
-    auto [speed, scale] = scaledSpeed(curve);
+    if (curve.size() <= 2)
+        return distance(curve.front(), curve.back());
+    const double scale = largestSide(curve);
     if (scale == 0)
         return 0;
-    const std::vector<double> binomial = binomials(speed.size() - 1);
-    const double lower = lowerBound(speed);
     double sum = 0;
-    Piece whole{std::move(speed), 0, 1, 0};
-    forEachPiece(whole, lower, 0, [&](const Piece& piece) {
-        sum += (piece.to - piece.from) * integral(piece.speed, binomial, piece.rule);
+    forEachScaledPiece(curve, scale, [&](const auto& piece) {
+        sum += piece.length();
+        return true;
     });
     return scale * sum;
 }
 
 double parameterAtLength(std::span<const Point> curve, double length) {
     assert(!curve.empty());
-    auto [speed, scale] = scaledSpeed(curve);
+    const double scale = largestSide(curve);
     if (scale == 0 || length <= 0)
         return 0;
-    const std::vector<double> binomial = binomials(speed.size() - 1);
-    const double lower = lowerBound(speed);
     double rest = length / scale;
-    std::optional<double> found;
-    Piece whole{std::move(speed), 0, 1, 0};
-    forEachPiece(whole, lower, 0, [&](const Piece& piece) {
-        if (found)
-            return;
-        const double width = piece.to - piece.from;
-        const double all = width * integral(piece.speed, binomial, piece.rule);
+    double found = 1;
+    forEachScaledPiece(curve, scale, [&](const auto& piece) {
+        const double all = piece.length();
         if (rest > all) {
             rest -= all;
-            return;
+            return true;
         }
-        // Length grows with the parameter, so a bracketed secant cannot miss. The rule of the piece is enough for its
-        // parts: their ellipses lie inside its own.
-        double low = 0;
-        double high = 1;
-        double t = all > 0 ? rest / all : 0;
-        for (int i = 0; i < 100 && high - low > 1e-16; ++i) {
-            std::vector<Vector> end = piece.speed;
-            std::vector<Vector> start(end.size());
-            splitInPlace(std::span(end), std::span(start), t);
-            const double error = width * t * integral(start, binomial, piece.rule) - rest;
-            (error > 0 ? high : low) = t;
-            const double here = width * size(end.front());
-            const double next = t - error / here;
-            const double before = t;
-            t = next > low && next < high ? next : low / 2 + high / 2;
-            if (std::abs(t - before) <= 1e-16)
-                break;
-        }
-        found = piece.from + width * t;
+        found = piece.from + piece.width() * parameterInPiece(piece, rest);
+        return false;
     });
-    return found.value_or(1);
+    return found;
 }
 
 } // namespace kriva

@@ -50,7 +50,7 @@ Disc discAround(std::span<const Vector> vectors) {
     return disc;
 }
 
-/// A rule that integrates the integrand X^2 / |c|^5 to kError, as an index of gaussSizes(); nothing where halving is
+/// A rule that integrates the integrand X^2 / |c|^5 to kError, as an index of kGaussSizes; nothing where halving is
 /// better.
 ///
 /// In the ellipse |t| + |1 - t| <= s a polynomial of degree d with Bernstein coefficients up to C is at most C s^d. So
@@ -63,11 +63,11 @@ std::optional<std::size_t> sufficientRule(const Disc& disc, std::size_t degree, 
     const double growth = largest * largest / mean * std::pow(2 * (1 + disc.deviation / disc.middle), 5);
     const double points = 1 + std::log(64.0 / 30 * growth / (kError * (1 - 1 / (rho * rho)))) / (2 * std::log(rho)) +
                           2 * static_cast<double>(degree - 1) * std::log(s) / std::log(rho);
-    const auto enough = std::ranges::lower_bound(gaussSizes(), points);
+    const auto enough = std::ranges::lower_bound(kGaussSizes, points);
     // Halving is cheap at low degrees and gains more there than points do.
-    if (enough == gaussSizes().end() || points > std::max(32.0, 12 * std::sqrt(static_cast<double>(degree))))
+    if (enough == kGaussSizes.end() || points > std::max(32.0, 12 * std::sqrt(static_cast<double>(degree))))
         return std::nullopt;
-    return static_cast<std::size_t>(enough - gaussSizes().begin());
+    return static_cast<std::size_t>(enough - kGaussSizes.begin());
 }
 
 class Energy {

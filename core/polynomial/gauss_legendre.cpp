@@ -1,15 +1,11 @@
 #include "core/polynomial/gauss_legendre.h"
 
-#include <algorithm>
-#include <array>
 #include <cassert>
 #include <numbers>
 
 namespace kriva {
 
 namespace {
-
-constexpr std::array kSizes{8, 12, 16, 24, 32, 48, 64, 96, 128};
 
 constexpr long double cosine(long double angle) {
     long double sum = 1;
@@ -54,15 +50,11 @@ constexpr auto makeRule() {
 template <int kSize>
 constexpr auto kRule = makeRule<kSize>();
 
-constexpr std::array<std::span<const GaussNode>, kSizes.size()> kRules{
-    kRule<kSizes[0]>, kRule<kSizes[1]>, kRule<kSizes[2]>, kRule<kSizes[3]>, kRule<kSizes[4]>,
-    kRule<kSizes[5]>, kRule<kSizes[6]>, kRule<kSizes[7]>, kRule<kSizes[8]>};
+constexpr std::array<std::span<const GaussNode>, kGaussSizes.size()> kRules{
+    kRule<kGaussSizes[0]>, kRule<kGaussSizes[1]>, kRule<kGaussSizes[2]>, kRule<kGaussSizes[3]>, kRule<kGaussSizes[4]>,
+    kRule<kGaussSizes[5]>, kRule<kGaussSizes[6]>, kRule<kGaussSizes[7]>, kRule<kGaussSizes[8]>};
 
 } // namespace
-
-std::span<const int> gaussSizes() {
-    return kSizes;
-}
 
 std::span<const GaussNode> gaussNodes(std::size_t index) {
     assert(index < kRules.size());

@@ -15,7 +15,7 @@ double integral(std::size_t rule, auto f) {
 }
 
 TEST(GaussLegendre, rulesHaveTheirSizesAndRise) {
-    const auto sizes = gaussSizes();
+    const auto& sizes = kGaussSizes;
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         EXPECT_EQ(2 * gaussNodes(i).size(), static_cast<std::size_t>(sizes[i]));
         EXPECT_TRUE(i == 0 || sizes[i - 1] < sizes[i]);
@@ -23,8 +23,8 @@ TEST(GaussLegendre, rulesHaveTheirSizesAndRise) {
 }
 
 TEST(GaussLegendre, integratesPolynomialsOfTwiceItsSize) {
-    for (std::size_t i = 0; i < gaussSizes().size(); ++i)
-        for (const int power : {0, 1, 7, 2 * gaussSizes()[i] - 1})
+    for (std::size_t i = 0; i < kGaussSizes.size(); ++i)
+        for (const int power : {0, 1, 7, 2 * kGaussSizes[i] - 1})
             EXPECT_NEAR(integral(i, [&](double t) { return std::pow(t, power); }) * (power + 1), 1, 1e-14);
 }
 
