@@ -32,6 +32,8 @@ class DocumentSession : public QObject {
     void show(Document document);
     bool save();
     bool saveAs();
+    /// Writes to this file, which is the document's own from then on.
+    bool saveTo(const QString& path);
     /// Asks whether unsaved changes should be saved, where there are any; false means: go on as before.
     [[nodiscard]] bool mayClose();
 
@@ -39,7 +41,6 @@ class DocumentSession : public QObject {
     void pathChanged();
 
   private:
-    bool saveTo(const QString& path);
     void setPath(const QString& path);
     void tell(const QString& title, const QString& text);
 

@@ -1,0 +1,194 @@
+#include "tests/support/test_window.h"
+#include "ui/panels/player.h"
+
+#include <gtest/gtest.h>
+#include <QFile>
+#include <QMessageBox>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTimer>
+
+namespace kriva::ui {
+namespace {
+
+using test::pixelOf;
+using test::TestWindow;
+
+/// The same gestures in each tab.
+class WindowTest : public testing::TestWithParam<SheetIndex> {
+  protected:
+    void press(QPoint at, Qt::KeyboardModifiers keys = {}) {
+        QTest::mousePress(canvas().viewport(), Qt::LeftButton, keys, at);
+    }
+    void moveTo(QPoint at) { QTest::mouseMove(canvas().viewport(), at); }
+    void release(QPoint at, Qt::KeyboardModifiers keys = {}) {
+        QTest::mouseRelease(canvas().viewport(), Qt::LeftButton, keys, at);
+    }
+    CanvasView& canvas() { return tab.canvas(); }
+    [[nodiscard]] const Curve& curve() { return *tab.editor().activeCurve(); }
+    [[nodiscard]] int count() { return static_cast<int>(pointCount(curve())); }
+    OpenDocument& document() { return window.window.document(); }
+    /// A place without a point or a curve.
+    [[nodiscard]] QPoint emptyPlace() { return {6, canvas().viewport()->height() - 6}; }
+
+    TestWindow window;
+    SheetTab& tab = window.shown(GetParam());
+};
+
+TEST_P(WindowTest, aDragOfFiftyMovesIsOneStepAndOneSignalPerMove) {
+    const QPoint start = pixelOf(tab, 1);
+    const QSignalSpy changes(&document(), &OpenDocument::curveChanged);
+    press(start);
+    for (int i = 1; i <= 50; ++i)
+        moveTo(start + QPoint(i + 4, i));
+    EXPECT_EQ(changes.count(), 50);
+    release(start + QPoint(54, 50));
+    EXPECT_EQ(window.steps(GetParam()), 1);
+    EXPECT_NE(curve(), startDocument().sheets[GetParam()].curves[0]);
+    QTest::keyClick(&window.window, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(curve(), startDocument().sheets[GetParam()].curves[0]);
+}
+
+TEST_P(WindowTest, outAndBackIsNoStep) {
+    const QPoint start = pixelOf(tab, 1);
+    press(start);
+    moveTo(start + QPoint(40, 30));
+    moveTo(start);
+    release(start);
+    EXPECT_EQ(window.steps(GetParam()), 0);
+    EXPECT_FALSE(document().isModified());
+}
+
+TEST_P(WindowTest, escTakesADragBackAndKeepsWhatCanBeRedone) {
+    const QPoint start = pixelOf(tab, 1);
+    press(start);
+    moveTo(start + QPoint(30, 30));
+    release(start + QPoint(30, 30));
+    document().undo();
+    press(start);
+    moveTo(start + QPoint(60, 10));
+    QTest::keyClick(canvas().viewport(), Qt::Key_Escape);
+    release(start + QPoint(60, 10));
+    EXPECT_EQ(curve(), startDocument().sheets[GetParam()].curves[0]);
+    EXPECT_FALSE(document().isModified());
+    EXPECT_TRUE(document().history(GetParam()).canRedo());
+}
+
+TEST_P(WindowTest, altClickAddsAndRemoves) {
+    const int before = count();
+    QTest::mouseClick(canvas().viewport(), Qt::LeftButton, Qt::AltModifier, emptyPlace());
+    EXPECT_EQ(count(), before + 1);
+    EXPECT_EQ(window.steps(GetParam()), 1);
+    QTest::mouseClick(canvas().viewport(), Qt::LeftButton, Qt::AltModifier, pixelOf(tab, before));
+    EXPECT_EQ(count(), before);
+    EXPECT_EQ(window.steps(GetParam()), 2);
+}
+
+TEST_P(WindowTest, aClickSelectsAndDeleteRemoves) {
+    const int before = count();
+    QTest::mouseClick(canvas().viewport(), Qt::LeftButton, {}, pixelOf(tab, 1));
+    EXPECT_EQ(tab.editor().selectedPoints(), std::vector<int>{1});
+    QTest::mouseClick(canvas().viewport(), Qt::LeftButton, Qt::ShiftModifier, pixelOf(tab, 0));
+    EXPECT_EQ(tab.editor().selectedPoints(), (std::vector<int>{0, 1}));
+    QTest::keyClick(canvas().viewport(), Qt::Key_Delete);
+    EXPECT_EQ(count(), before - 2);
+    EXPECT_EQ(window.steps(GetParam()), 1);
+}
+
+TEST_P(WindowTest, aRubberBandSelectsAndNudgesAreOneStep) {
+    const QRect all = canvas().viewport()->rect().adjusted(3, 3, -3, -3);
+    press(all.bottomLeft());
+    moveTo(all.center());
+    moveTo(all.topRight());
+    release(all.topRight());
+    EXPECT_EQ(static_cast<int>(tab.editor().selectedPoints().size()), count());
+    for (int i = 0; i < 5; ++i)
+        QTest::keyClick(canvas().viewport(), Qt::Key_Right);
+    document().endGesture();
+    EXPECT_EQ(window.steps(GetParam()), 1);
+}
+
+TEST_P(WindowTest, savesAndOpensTheSameDocument) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("figure.kriva"));
+    QTest::mouseClick(canvas().viewport(), Qt::LeftButton, Qt::AltModifier, emptyPlace());
+    ASSERT_TRUE(window.window.session().saveTo(path));
+    EXPECT_FALSE(window.window.isWindowModified());
+    const Document saved = document().value();
+    window.window.session().show({});
+    ASSERT_TRUE(window.window.session().openFile(path));
+    EXPECT_EQ(document().value(), saved);
+    EXPECT_TRUE(window.window.windowTitle().startsWith(QStringLiteral("figure.kriva[*]")));
+}
+
+INSTANTIATE_TEST_SUITE_P(InEachTab, WindowTest, testing::Range<SheetIndex>(0, kSheetCount));
+
+/// Answers the next message box.
+void answerWith(QMessageBox::StandardButton button) {
+    QTimer::singleShot(0, [button] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        ASSERT_NE(box, nullptr);
+        box->button(button) ? box->button(button)->click() : box->reject();
+    });
+}
+
+TEST(Window, asksBeforeChangesAreLost) {
+    TestWindow window;
+    SheetTab& tab = window.shown(0);
+    EXPECT_TRUE(window.window.session().mayClose());
+    tab.editor().addPoint({1, 1});
+    answerWith(QMessageBox::Cancel);
+    EXPECT_FALSE(window.window.close());
+    EXPECT_TRUE(window.window.document().isModified());
+    answerWith(QMessageBox::Discard);
+    EXPECT_TRUE(window.window.close());
+}
+
+TEST(Window, staysModifiedAfterAFailedSave) {
+    TestWindow window;
+    window.shown(0).editor().addPoint({1, 1});
+    answerWith(QMessageBox::Ok);
+    EXPECT_FALSE(window.window.session().saveTo(QStringLiteral("/nowhere/at/all.kriva")));
+    EXPECT_TRUE(window.window.document().isModified());
+}
+
+TEST(Window, keepsItsDocumentWhereAFileIsRefused) {
+    TestWindow window;
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("bad.kriva"));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("{\"format\": \"other\"}");
+    file.close();
+    answerWith(QMessageBox::Ok);
+    EXPECT_FALSE(window.window.session().openFile(path));
+    EXPECT_EQ(window.window.document().value(), startDocument());
+}
+
+TEST(Window, opensEveryExample) {
+    TestWindow window;
+    for (const Example& example : examples()) {
+        window.window.session().openExample(QString::fromLatin1(example.resource));
+        QApplication::processEvents();
+        EXPECT_FALSE(window.window.currentTab().editor().sheet().curves.empty()) << example.resource;
+        EXPECT_FALSE(window.window.isWindowModified());
+    }
+}
+
+TEST(Window, playsThroughStagesWithoutTouchingTheDocument) {
+    TestWindow window;
+    SheetTab& tab = window.shown(0);
+    auto* player = tab.findChild<Player*>();
+    for (int i = 0; i < 20; ++i)
+        player->tick();
+    EXPECT_TRUE(tab.editor().hasStage());
+    EXPECT_FALSE(window.window.document().isModified());
+    EXPECT_EQ(window.steps(0), 0);
+    QTest::mouseClick(player->findChild<QToolButton*>(QStringLiteral("keep")), Qt::LeftButton);
+    EXPECT_EQ(window.steps(0), 1);
+    EXPECT_FALSE(tab.editor().hasStage());
+    EXPECT_EQ(std::get<ElevationCurve>(*tab.editor().activeCurve()).times, 25);
+}
+
+} // namespace
+} // namespace kriva::ui

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "app/sheet_catalog.h"
+#include "ui/shell/desktop_scheme.h"
+#include "ui/shell/document_session.h"
+#include "ui/shell/examples.h"
+#include "ui/shell/language.h"
+#include "ui/shell/main_window.h"
+#include "ui/shell/preferences.h"
+#include "ui/shell/theme.h"
+
+#include <QApplication>
+#include <QTest>
+
+namespace kriva::test {
+
+/// The real window with all that it stands on, shown offscreen on the example of a new window.
+struct TestWindow {
+    explicit TestWindow(ui::Language spoken = ui::Language::English)
+        : language(spoken) {
+        window.resize(1280, 800);
+        window.show();
+        window.session().show(ui::startDocument());
+        QApplication::processEvents();
+    }
+
+    /// The tab of a sheet, brought to the front.
+    ui::SheetTab& shown(SheetIndex sheet) {
+        window.document().setActiveSheet(sheet);
+        QApplication::processEvents();
+        ui::SheetTab& tab = window.tab(sheet);
+        tab.canvas().setFocus();
+        tab.canvas().fitAll();
+        QApplication::processEvents();
+        return tab;
+    }
+    [[nodiscard]] int steps(SheetIndex sheet) { return window.document().history(sheet).count(); }
+
+    ui::Preferences preferences;
+    ui::LanguageSwitch language;
+    ui::DesktopScheme desktop;
+    ui::ThemeSwitch theme{ui::ThemeChoice::Light, desktop};
+    std::array<ui::SheetUi, kSheetCount> sheets = sheetCatalog();
+    ui::MainWindow window{{preferences, language, theme, sheets}};
+};
+
+/// Where a point of the active curve is on the canvas.
+inline QPoint pixelOf(ui::SheetTab& tab, int point) {
+    return tab.canvas().mapping().toPixels(pointAt(*tab.editor().activeCurve(), point)).toPoint();
+}
+
+} // namespace kriva::test

@@ -1,0 +1,260 @@
+#include "core/document/document_json.h"
+#include "core/document/limits.h"
+#include "ui/document/open_document.h"
+#include "ui/sheets/sheet_editor.h"
+
+#include <gtest/gtest.h>
+#include <QSignalSpy>
+
+#include <random>
+
+namespace kriva::ui {
+namespace {
+
+constexpr SheetIndex kElevation = 0;
+const StepLabel kMove{"Move point %1", 3};
+
+ElevationCurve arch() {
+    ElevationCurve curve;
+    curve.points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}};
+    return curve;
+}
+
+Curve withFirstAt(Point at) {
+    ElevationCurve curve = arch();
+    curve.points[0] = at;
+    return curve;
+}
+
+/// An open document with one curve in its first sheet.
+class OpenDocumentTest : public testing::Test {
+  protected:
+    OpenDocumentTest() {
+        Document start;
+        start.sheets[kElevation].curves = {arch()};
+        document.replace(start);
+        serial = document.serials(kElevation).front();
+    }
+    [[nodiscard]] int steps() { return document.history(kElevation).count(); }
+    [[nodiscard]] const Curve& curve() { return *document.find(kElevation, serial); }
+
+    OpenDocument document;
+    Serial serial = 0;
+};
+
+TEST_F(OpenDocumentTest, aDragOfFiftyMovesIsOneStepAndOneSignalPerMove) {
+    const QSignalSpy changes(&document, &OpenDocument::curveChanged);
+    document.beginGesture(kElevation, serial, kMove);
+    for (int i = 1; i <= 50; ++i)
+        document.preview(withFirstAt({i / 10.0, 1}));
+    document.endGesture();
+    EXPECT_EQ(changes.count(), 50);
+    EXPECT_EQ(steps(), 1);
+    EXPECT_EQ(resolvedStep(document.history(kElevation).undoText()), QStringLiteral("Move point 3"));
+    document.undo();
+    EXPECT_EQ(curve(), Curve(arch()));
+    document.redo();
+    EXPECT_EQ(curve(), withFirstAt({5, 1}));
+}
+
+TEST_F(OpenDocumentTest, outAndBackIsNoStep) {
+    document.beginGesture(kElevation, serial, kMove);
+    document.preview(withFirstAt({5, 5}));
+    document.preview(arch());
+    document.endGesture();
+    EXPECT_EQ(steps(), 0);
+    EXPECT_FALSE(document.isModified());
+}
+
+TEST_F(OpenDocumentTest, aCancelledGestureLosesNeitherRedoNorTheSavedState) {
+    document.change(kElevation, serial, withFirstAt({1, 1}), kMove);
+    document.undo();
+    ASSERT_FALSE(document.isModified());
+    document.beginGesture(kElevation, serial, kMove);
+    document.preview(withFirstAt({9, 9}));
+    document.cancelGesture();
+    EXPECT_EQ(curve(), Curve(arch()));
+    EXPECT_FALSE(document.isModified());
+    EXPECT_TRUE(document.history(kElevation).canRedo());
+    document.redo();
+    EXPECT_EQ(curve(), withFirstAt({1, 1}));
+}
+
+TEST_F(OpenDocumentTest, stepsThatFollowEachOtherCloselyAreOne) {
+    for (int i = 1; i <= 10; ++i)
+        document.changeInBurst(kElevation, serial, withFirstAt({0.0 + i, 0}), {"Nudge"});
+    EXPECT_EQ(steps(), 0);
+    document.changeInBurst(kElevation, serial, withFirstAt({0, 7}), {"Set the degree"});
+    EXPECT_EQ(steps(), 1);
+    document.endGesture();
+    EXPECT_EQ(steps(), 2);
+}
+
+TEST_F(OpenDocumentTest, isModifiedExactlyWhereTheValueDiffersFromTheOneSaved) {
+    document.change(kElevation, serial, withFirstAt({1, 1}), kMove);
+    EXPECT_TRUE(document.isModified());
+    document.markSaved();
+    EXPECT_FALSE(document.isModified());
+    document.undo();
+    EXPECT_TRUE(document.isModified());
+    document.change(kElevation, serial, withFirstAt({1, 1}), kMove); // the value saved, by another way
+    EXPECT_FALSE(document.isModified());
+}
+
+TEST_F(OpenDocumentTest, viewStateIsNeitherAStepNorAModification) {
+    document.setCurveShown(kElevation, serial, false);
+    document.setLayerShown(kElevation, "labels", false);
+    document.setActiveSheet(1);
+    EXPECT_FALSE(document.isModified());
+    EXPECT_EQ(steps(), 0);
+}
+
+TEST_F(OpenDocumentTest, undoDoesNotShowWhatIsHidden) {
+    document.change(kElevation, serial, withFirstAt({1, 1}), kMove);
+    document.setCurveShown(kElevation, serial, false);
+    document.undo();
+    EXPECT_FALSE(viewOf(curve()).isShown);
+}
+
+TEST_F(OpenDocumentTest, undoingADeletionBringsTheSerialBack) {
+    document.add(kElevation, 1, ElevationCurve{}, {"New curve"});
+    document.remove(kElevation, serial, {"Delete the curve"});
+    EXPECT_EQ(document.find(kElevation, serial), nullptr);
+    document.undo();
+    ASSERT_NE(document.find(kElevation, serial), nullptr);
+    EXPECT_EQ(document.indexOf(kElevation, serial), 0);
+}
+
+TEST_F(OpenDocumentTest, reorderingKeepsTheActiveCurve) {
+    const Serial other = document.add(kElevation, 1, ElevationCurve{}, {"New curve"}).value();
+    document.reorder(kElevation, other, 0, {"Reorder the curves"});
+    EXPECT_EQ(document.activeCurve(kElevation), other);
+    EXPECT_EQ(document.indexOf(kElevation, other), 0);
+    document.undo();
+    EXPECT_EQ(document.activeCurve(kElevation), other);
+    EXPECT_EQ(document.indexOf(kElevation, other), 1);
+}
+
+TEST_F(OpenDocumentTest, whatIsBeyondALimitIsRefusedAndNothingChanges) {
+    const QSignalSpy refusals(&document, &OpenDocument::refused);
+    ElevationCurve tooLong = arch();
+    tooLong.points.resize(limits::kControlPoints + 1);
+    EXPECT_FALSE(document.change(kElevation, serial, tooLong, kMove));
+    EXPECT_FALSE(document.change(kElevation, serial, withFirstAt({1.1 * limits::kNumber, 0}), kMove));
+    EXPECT_EQ(refusals.count(), 2);
+    EXPECT_EQ(curve(), Curve(arch()));
+    tooLong.points.pop_back();
+    EXPECT_TRUE(document.change(kElevation, serial, tooLong, kMove));
+}
+
+TEST_F(OpenDocumentTest, clearingTheCanvasIsOneStep) {
+    document.add(kElevation, 1, arch(), {"New curve"});
+    SheetEditor editor(document, kElevation);
+    const int before = steps();
+    editor.clear();
+    EXPECT_TRUE(document.sheet(kElevation).curves.empty());
+    EXPECT_EQ(steps(), before + 1);
+    document.undo();
+    EXPECT_EQ(document.sheet(kElevation).curves.size(), 2u);
+}
+
+TEST_F(OpenDocumentTest, aHistoryBelongsToItsSheet) {
+    document.change(kElevation, serial, withFirstAt({1, 1}), kMove);
+    document.setActiveSheet(1);
+    document.undo();
+    EXPECT_EQ(curve(), withFirstAt({1, 1}));
+}
+
+/// One random thing that a person could do.
+class Person {
+  public:
+    Person(OpenDocument& document, unsigned seed)
+        : document_(document)
+        , random_(seed) {}
+
+    void act() {
+        const Serial serial = any(document_.serials(kElevation));
+        switch (below(9)) {
+        case 0:
+            document_.add(kElevation, below(static_cast<int>(document_.serials(kElevation).size()) + 1), arch(),
+                          {"New curve"});
+            break;
+        case 1:
+            if (document_.serials(kElevation).size() > 1)
+                document_.remove(kElevation, serial, {"Delete the curve"});
+            break;
+        case 2:
+            document_.reorder(kElevation, serial, below(static_cast<int>(document_.serials(kElevation).size())),
+                              {"Reorder the curves"});
+            break;
+        case 3:
+            document_.change(kElevation, serial, moved(serial), kMove);
+            break;
+        case 4:
+            document_.beginGesture(kElevation, serial, kMove);
+            document_.preview(moved(serial));
+            document_.preview(moved(serial));
+            below(2) == 0 ? document_.endGesture() : document_.cancelGesture();
+            break;
+        case 5:
+            document_.changeInBurst(kElevation, serial, moved(serial), {"Nudge"});
+            break;
+        case 6:
+            document_.undo();
+            break;
+        case 7:
+            document_.redo();
+            break;
+        default:
+            document_.markSaved();
+            saved_ = document_.value();
+        }
+    }
+    [[nodiscard]] const Document& saved() const { return saved_; }
+
+  private:
+    int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
+    Serial any(const std::vector<Serial>& serials) {
+        return serials[static_cast<std::size_t>(below(static_cast<int>(serials.size())))];
+    }
+    Curve moved(Serial serial) {
+        const GripId id{GripKind::point, below(4)};
+        return withGripsMoved(*document_.find(kElevation, serial), std::span(&id, 1), {below(7) - 3.0, below(7) - 3.0});
+    }
+
+    OpenDocument& document_;
+    std::mt19937 random_;
+    Document saved_ = document_.value();
+};
+
+TEST_F(OpenDocumentTest, anySequenceCanBeUndoneAndRedoneByteForByte) {
+    const unsigned sequences = qEnvironmentVariableIsSet("KRIVA_LONG_TESTS") ? 10'000 : 500;
+    for (unsigned seed = 0; seed < sequences; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        Document start;
+        start.sheets[kElevation].curves = {arch()};
+        document.replace(start);
+        Person person(document, seed);
+        for (int i = 0; i < 50; ++i) {
+            person.act();
+            ASSERT_EQ(document.isModified(), !sameContent(document.value(), person.saved()));
+        }
+        document.endGesture();
+        while (document.history(kElevation).canRedo())
+            document.redo();
+        const std::string end = writeDocument(document.value(), 0);
+        while (document.history(kElevation).canUndo())
+            document.undo();
+        Document undone = document.value();
+        undone.sheets[kElevation].view = {};
+        ASSERT_EQ(writeDocument(undone), writeDocument(start));
+        while (document.history(kElevation).canRedo())
+            document.redo();
+        Document redone = document.value();
+        redone.sheets[kElevation].view = std::get<Document>(readDocument(end)).sheets[kElevation].view;
+        ASSERT_EQ(writeDocument(redone, 0), end);
+    }
+}
+
+} // namespace
+} // namespace kriva::ui
