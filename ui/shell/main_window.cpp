@@ -7,6 +7,7 @@
 #include "ui/shell/export_figure.h"
 #include "ui/shell/menus.h"
 #include "ui/shell/preferences.h"
+#include "ui/shell/qt_texts.h"
 #include "ui/shell/status_row.h"
 
 #include <QApplication>
@@ -153,6 +154,7 @@ void MainWindow::retranslateUi() {
                                QCoreApplication::translate("Sheet", surroundings_.sheets[i].title));
     actions_->retranslateUi();
     menus_->retranslateUi();
+    renameQtButtons(*this);
     setWindowTitle(QStringLiteral("%1[*] – Kriva").arg(session_->name()));
     followHistory();
 }

@@ -46,6 +46,7 @@ void StatusRow::changeEvent(QEvent* event) {
 }
 
 void StatusRow::retranslateUi() {
+    hint_->clear(); // the next move of the pointer gives one in the new language
     pointer_->setAccessibleName(tr("Coordinates of the pointer"));
     zoom_->setAccessibleName(tr("Zoom"));
     showPointer(at_);
