@@ -318,6 +318,10 @@
         <source>This curve needs more points</source>
         <translation>Тази крива се нуждае от още точки</translation>
     </message>
+    <message>
+        <source>open end</source>
+        <translation>свободен край</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>

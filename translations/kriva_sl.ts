@@ -318,6 +318,10 @@
         <source>This curve needs more points</source>
         <translation>Ta krivulja potrebuje še točke</translation>
     </message>
+    <message>
+        <source>open end</source>
+        <translation>prosto krajišče</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>

@@ -318,6 +318,10 @@
         <source>This curve needs more points</source>
         <translation>Цій кривій потрібно більше точок</translation>
     </message>
+    <message>
+        <source>open end</source>
+        <translation>вільний кінець</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>

@@ -44,6 +44,7 @@ enum class Caption {
     segmentLength, ///< by segment
     coefficients,  ///< by segment, of the powers of t
     continuity,    ///< by knot
+    openEnd,       ///< of a chain: the continuity of its first and last knot
     curvatureExtrema,
     bendingEnergy,
     runPoints, ///< by run, first and last

@@ -96,9 +96,12 @@ std::vector<Result> results(const SplineCurve& curve) {
         rows.push_back({Caption::segmentLength, index, measures.lengths[i]});
         rows.push_back({Caption::coefficients, index, powerCoefficients(measures.chain.segments[i])});
     }
-    for (std::size_t i = 0; i < measures.chain.continuity.size(); ++i)
-        rows.push_back(
-            {Caption::continuity, decimal(static_cast<int>(i)), std::string(nameOf(measures.chain.continuity[i]))});
+    for (std::size_t i = 0; i < measures.chain.continuity.size(); ++i) {
+        const Continuity continuity = measures.chain.continuity[i];
+        const Result::Value value =
+            continuity == Continuity::end ? Result::Value(Caption::openEnd) : std::string(nameOf(continuity));
+        rows.push_back({Caption::continuity, decimal(static_cast<int>(i)), value});
+    }
     return rows;
 }
 

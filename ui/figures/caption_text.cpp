@@ -77,6 +77,8 @@ class Captions {
             return tr("Coefficients of segment");
         case Caption::continuity:
             return tr("Continuity at knot");
+        case Caption::openEnd:
+            return tr("open end");
         case Caption::curvatureExtrema:
             return tr("Extrema of the curvature");
         case Caption::bendingEnergy:

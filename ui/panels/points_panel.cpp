@@ -54,6 +54,8 @@ PointsPanel::PointsPanel(SheetEditor& editor, const std::vector<PointColumn>& co
     setTabKeyNavigation(false);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    for (int column = PointsModel::kY + 1; column < model_.columnCount(); ++column)
+        horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     auto* coordinates = new CoordinateDelegate(this);
     setItemDelegateForColumn(PointsModel::kX, coordinates);
     setItemDelegateForColumn(PointsModel::kY, coordinates);

@@ -15,6 +15,8 @@ namespace kriva::ui {
 namespace {
 
 constexpr double kPixelsPerMillimetre = 96 / 25.4;
+constexpr int kLeftWidth = 270; // px, at first: room for a table of points with a column of the sheet's own
+constexpr int kRightWidth = 330;
 
 } // namespace
 
@@ -68,6 +70,7 @@ void SheetTab::makePanels(const SheetUi& ui) {
     tabifyDockWidget(panels_[4].dock, panels_[5].dock);
     panels_[0].dock->raise();
     panels_[4].dock->raise();
+    resizeDocks({panels_[0].dock, panels_[3].dock}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
 }
 
 void SheetTab::addPanel(const char* name, const char* title, QWidget* panel, Qt::DockWidgetArea area) {
