@@ -26,8 +26,7 @@ class MarkingTranslator : public QTranslator {
 /// What is the same in every language: numbers and signs, letters of formulas, names, keys of documents.
 bool isOfNoLanguage(const QString& line) {
     const QString text = line.section(QLatin1String(": "), 1);
-    static const QRegularExpression signs(
-        QStringLiteral("^[\\s\\d.,;:()eE×%–−+-]*$|^[xyt]$|^(C|G)[012]$|^\\d+–\\d+$"));
+    static const QRegularExpression signs(QStringLiteral("^[\\s\\d.,;:()eE×%–−+-]*$|^[xyt]$|^(C|G)[012]$|^\\d+–\\d+$"));
     static const QStringList names{QStringLiteral("English"), QStringLiteral("Български"),
                                    QStringLiteral("Slovenščina"), QStringLiteral("Українська")};
     return signs.match(text).hasMatch() || names.contains(text);

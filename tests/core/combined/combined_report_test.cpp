@@ -23,9 +23,10 @@ TEST(CombinedReport, tellsRunsJoinsAndPath) {
     curve.degree = 1;
     const std::string report = reportOf(curve);
     EXPECT_THAT(report, HasSubstr(R"("bounds": [0, 0, 2.125, 5])"));
-    EXPECT_THAT(report, HasSubstr(R"({"first": 3, "last": 4, "direction": -1, "degree": 1, "basis": "power", "nodes": [], )"
-                                  R"("coefficients": [5, -1], "rms": 0, "maxError": 0, "start": [1, 4], "end": [0, 5], )"
-                                  R"("startSlope": -1, "endSlope": -1})"));
+    EXPECT_THAT(report,
+                HasSubstr(R"({"first": 3, "last": 4, "direction": -1, "degree": 1, "basis": "power", "nodes": [], )"
+                          R"("coefficients": [5, -1], "rms": 0, "maxError": 0, "start": [1, 4], "end": [0, 5], )"
+                          R"("startSlope": -1, "endSlope": -1})"));
     EXPECT_THAT(report, HasSubstr(R"({"afterRun": 0, "kind": "quadratic", "points": [[2, 2], [2.5, 2.5], [1, 4]]})"));
     EXPECT_THAT(report, HasSubstr(R"("path": [[[0, 0], [2, 2]], [[2, 2], [2.5, 2.5], [1, 4]], [[1, 4], [0, 5]]])"));
     EXPECT_THAT(report, HasSubstr(R"("slopeVariation": 0})"));
