@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 
 #include <algorithm>
+#include <cmath>
 
 namespace kriva::ui {
 namespace {
@@ -109,7 +110,7 @@ void SubdivisionProperties::showCurve() {
     const bool overT = played() == Played::t;
     player_->setLast(isIncomplete(value) ? 0 : overT ? kStagesOfT - 1 : most);
     if (!editor().hasStage())
-        player_->setStage(overT ? static_cast<int>((value.t - kStepOfT) / kStepOfT + 0.5) : value.levels);
+        player_->setStage(overT ? static_cast<int>(std::lround((value.t - kStepOfT) / kStepOfT)) : value.levels);
 }
 
 void SubdivisionProperties::showMultiplicity() {
