@@ -43,7 +43,13 @@ MainWindow::MainWindow(const Surroundings& surroundings)
     retranslateUi();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    // The tabs look at the document as long as they live, and they would outlive it: it is a member, they are children.
+    tabWidget_->disconnect(this);
+    document_.disconnect(this);
+    document_.histories().disconnect(this);
+    delete tabWidget_;
+}
 
 void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
