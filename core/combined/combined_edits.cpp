@@ -41,7 +41,7 @@ std::vector<Grip> middleGrips(const CombinedCurve& curve) {
     return grips;
 }
 
-bool hasPair(const CombinedCurve& curve, int pair) {
+[[maybe_unused]] bool hasPair(const CombinedCurve& curve, int pair) {
     return pair >= 0 && static_cast<std::size_t>(pair) + 1 < curve.points.size();
 }
 

@@ -6,17 +6,16 @@
 #include "ui/panels/layers_panel.h"
 #include "ui/panels/results_panel.h"
 #include "ui/sheets/hint_text.h"
+#include "ui/sheets/properties_area.h"
 
 #include <QCoreApplication>
 #include <QEvent>
-#include <QScrollArea>
 
 namespace kriva::ui {
 namespace {
 
 constexpr double kPixelsPerMillimetre = 96 / 25.4;
-constexpr int kLeftWidth = 270; // px, at first: room for a table of points with a column of the sheet's own
-constexpr int kRightWidth = 330;
+constexpr int kPanelWidth = 260; // px, at least: room for a table of points with a column of the sheet's own
 
 } // namespace
 
@@ -55,22 +54,21 @@ void SheetTab::makePanels(const SheetUi& ui) {
     addPanel("points", QT_TRANSLATE_NOOP("SheetTab", "Points"), new PointsPanel(editor_, ui.pointColumns, this),
              Qt::LeftDockWidgetArea);
     addPanel("layers", QT_TRANSLATE_NOOP("SheetTab", "Layers"), new LayersPanel(editor_, this), Qt::LeftDockWidgetArea);
-    auto* properties = new QScrollArea(this); // a small window scrolls the properties instead of cutting them off
-    properties->setWidgetResizable(true);
-    properties->setFrameShape(QFrame::NoFrame);
-    properties->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* properties = new PropertiesArea(this);
     properties->setWidget(ui.makeProperties(editor_, properties));
     addPanel("properties", QT_TRANSLATE_NOOP("SheetTab", "Properties"), properties, Qt::RightDockWidgetArea);
     addPanel("results", QT_TRANSLATE_NOOP("SheetTab", "Results"), new ResultsPanel(editor_, this),
              Qt::RightDockWidgetArea);
     addPanel("history", QT_TRANSLATE_NOOP("SheetTab", "History"), new HistoryPanel(editor_, this),
              Qt::RightDockWidgetArea);
+    for (const Panel& panel : panels_)
+        if (panel.dock->widget() != properties) // they know their own width
+            panel.dock->widget()->setMinimumWidth(kPanelWidth);
     // Layers and history are looked at now and then: they wait behind their neighbours.
     tabifyDockWidget(panels_[0].dock, panels_[2].dock);
     tabifyDockWidget(panels_[4].dock, panels_[5].dock);
     panels_[0].dock->raise();
     panels_[4].dock->raise();
-    resizeDocks({panels_[0].dock, panels_[3].dock}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
 }
 
 void SheetTab::addPanel(const char* name, const char* title, QWidget* panel, Qt::DockWidgetArea area) {
