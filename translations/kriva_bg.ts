@@ -41,7 +41,7 @@
     </message>
     <message>
         <source>Delete &amp;last point</source>
-        <translation>Изтриване на &amp;последната точка</translation>
+        <translation>Изтриване на последната &amp;точка</translation>
     </message>
     <message>
         <source>&amp;Clear the canvas</source>
@@ -688,7 +688,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
     <message>
         <source>&amp;Panels</source>
-        <translation>Панел&amp;и</translation>
+        <translation>&amp;Панели</translation>
     </message>
     <message>
         <source>&amp;Settings</source>
@@ -719,7 +719,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>&amp;Помощ</translation>
     </message>
     <message>
-        <source>&amp;Examples</source>
+        <source>Exa&amp;mples</source>
         <translation>&amp;Примери</translation>
     </message>
     <message>

@@ -710,7 +710,7 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation>Sve&amp;tla</translation>
+        <translation>S&amp;vetla</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
@@ -721,7 +721,7 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <translation>Po&amp;moč</translation>
     </message>
     <message>
-        <source>&amp;Examples</source>
+        <source>Exa&amp;mples</source>
         <translation>&amp;Primeri</translation>
     </message>
     <message>

@@ -49,7 +49,7 @@
     </message>
     <message>
         <source>Select &amp;all</source>
-        <translation>Вибрати в&amp;се</translation>
+        <translation>Вибрати вс&amp;е</translation>
     </message>
     <message>
         <source>Select n&amp;one</source>
@@ -57,7 +57,7 @@
     </message>
     <message>
         <source>&amp;Invert the selection</source>
-        <translation>&amp;Обернути вибір</translation>
+        <translation>Обе&amp;рнути вибір</translation>
     </message>
     <message>
         <source>&amp;New curve</source>
@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>Fit &amp;selection</source>
-        <translation>Умістити ви&amp;бране</translation>
+        <translation>Умістити в&amp;ибране</translation>
     </message>
     <message>
         <source>&amp;Grid</source>
@@ -720,7 +720,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>&amp;Довідка</translation>
     </message>
     <message>
-        <source>&amp;Examples</source>
+        <source>Exa&amp;mples</source>
         <translation>При&amp;клади</translation>
     </message>
     <message>

@@ -107,7 +107,7 @@ void Menus::fillHelp(const Actions& actions) {
 }
 
 void Menus::fillExamples(QMenu* file) {
-    QMenu* menu = add(file, QT_TRANSLATE_NOOP("Menus", "&Examples"));
+    QMenu* menu = add(file, QT_TRANSLATE_NOOP("Menus", "Exa&mples"));
     for (const Example& example : examples()) {
         QAction* action = menu->addAction(QString());
         const QString resource = QString::fromLatin1(example.resource);
