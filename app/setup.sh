@@ -52,9 +52,6 @@ install_missing() {
     as_root "${apt[@]}" install -y --no-install-recommends "${missing[@]}"
 }
 
-# One preset's objects serve another's, and one checkout's another's, where only the folder differs.
-export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
-
 # build PRESET [CMAKE-ARGUMENT...]: configures and builds everything of a preset.
 build() {
     local preset=$1
