@@ -9,6 +9,8 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 
+#include <algorithm>
+
 namespace kriva::ui {
 namespace {
 
@@ -69,10 +71,22 @@ void ResultsPanel::showState() {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         QTreeWidgetItem* item = topLevelItem(static_cast<int>(i));
         item->setText(0, resultName(rows[i]));
+        item->setToolTip(0, resultName(rows[i]));
         item->setText(1, resultValue(rows[i], kShownDigits));
         item->setToolTip(1, resultValue(rows[i], kFullDigits));
     }
+    showColumns();
+}
+
+void ResultsPanel::showColumns() {
+    // A long name must not push the numbers out of sight.
     resizeColumnToContents(0);
+    setColumnWidth(0, std::min(columnWidth(0), viewport()->width() * 11 / 20));
+}
+
+void ResultsPanel::resizeEvent(QResizeEvent* event) {
+    QTreeWidget::resizeEvent(event);
+    showColumns();
 }
 
 void ResultsPanel::keyPressEvent(QKeyEvent* event) {

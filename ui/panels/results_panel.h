@@ -20,9 +20,11 @@ class ResultsPanel : public QTreeWidget {
   protected:
     void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
   private:
     void retranslateUi();
+    void showColumns();
     void copy() const;
 
     SheetEditor& editor_;

@@ -3,7 +3,14 @@
 #include <QEvent>
 #include <QScrollBar>
 
+#include <algorithm>
+
 namespace kriva::ui {
+namespace {
+
+constexpr int kLeastWidth = 300; // px: sliders that can be aimed at
+
+} // namespace
 
 PropertiesArea::PropertiesArea(QWidget* parent)
     : QScrollArea(parent) {
@@ -18,7 +25,7 @@ QSize PropertiesArea::sizeHint() const {
 
 QSize PropertiesArea::minimumSizeHint() const {
     const int content = widget() ? widget()->minimumSizeHint().width() : 0;
-    return {content + verticalScrollBar()->sizeHint().width(), 0};
+    return {std::max(kLeastWidth, content + verticalScrollBar()->sizeHint().width()), 0};
 }
 
 bool PropertiesArea::eventFilter(QObject* watched, QEvent* event) {
