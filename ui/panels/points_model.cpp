@@ -4,11 +4,19 @@
 #include "ui/shell/number_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 namespace kriva::ui {
 namespace {
 
 constexpr int kOwnColumns = 2; // x and y
+
+/// As much as a narrow column shows; the editor and the tooltip give every digit.
+QString rounded(double number) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(number, 'g', 6);
+}
 
 std::size_t ownColumn(int column) {
     return static_cast<std::size_t>(column - kOwnColumns);
@@ -61,13 +69,22 @@ Point PointsModel::pointAt(int row) const {
 }
 
 QVariant PointsModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid() || (role != Qt::DisplayRole && role != Qt::EditRole))
-        return role == Qt::TextAlignmentRole ? QVariant(Qt::AlignRight | Qt::AlignVCenter) : QVariant();
+    if (role == Qt::TextAlignmentRole)
+        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    if (!index.isValid() || (role != Qt::DisplayRole && role != Qt::EditRole && role != Qt::ToolTipRole))
+        return {};
     if (index.column() >= kOwnColumns)
         return columns_[ownColumn(index.column())].text(*editor_.activeCurve(), index.row());
     const Point point = pointAt(index.row());
     const double number = index.column() == kX ? point.x : point.y;
-    return role == Qt::EditRole ? QVariant(number) : QVariant(formatNumber(number));
+    switch (role) {
+    case Qt::EditRole:
+        return number;
+    case Qt::ToolTipRole:
+        return formatNumber(number);
+    default:
+        return rounded(number);
+    }
 }
 
 bool PointsModel::setData(const QModelIndex& index, const QVariant& value, int role) {

@@ -11,7 +11,7 @@
 
 namespace kriva::ui {
 
-/// What the program remembers of a person between two starts, in $XDG_CONFIG_HOME/kriva/kriva.conf. Whatever stands
+/// What the program remembers of a person between two starts, in $XDG_CONFIG_HOME/kriva/kriva.ini. Whatever stands
 /// there, what is read is valid.
 class Preferences {
   public:
