@@ -94,7 +94,4 @@ class SheetEditor : public QObject {
     std::optional<Point> pulledAt_; ///< where the curve itself is dragged
 };
 
-/// "b" or "K" with an index: how a grip is named in steps and hints.
-[[nodiscard]] StepLabel moveLabel(const GripId& grip);
-
 } // namespace kriva::ui
