@@ -13,6 +13,13 @@ Tangent difference(const CurveEnd& from, const CurveEnd& to) {
     return {exactSum(to.x, -from.x), to.y - from.y};
 }
 
+/// from + step; 0 where no more is left of the two than their own roundings.
+double ahead(const DoubleDouble& from, const DoubleDouble& step) {
+    constexpr double kNoise = 0x1p-96; // some 8 bits above the unit of double-double arithmetic
+    const double sum = (from + step).high;
+    return std::abs(sum) <= kNoise * std::abs(step.high) ? 0 : sum;
+}
+
 /// The direction of the end, or that of the whole join for a single point.
 Vector directionAt(const CurveEnd& end, Vector join) {
     return end.tangent ? end.tangent->vector() : join / length(join);
@@ -49,7 +56,7 @@ std::optional<Point> quadraticMiddle(const CurveEnd& from, const CurveEnd& to) {
     for (const double reach : {fromStart.high, toEnd.high})
         if (!(reach >= kNearest * distance && reach <= kFarthest * distance))
             return {};
-    return Point{(from.x + fromStart * start.x).high, (from.y + fromStart * start.y).high};
+    return Point{ahead(from.x, fromStart * start.x), ahead(from.y, fromStart * start.y)};
 }
 
 TangentPiece joinOf(const CurveEnd& from, const CurveEnd& to) {
