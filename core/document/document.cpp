@@ -111,7 +111,7 @@ Curve withGripsMoved(const Curve& curve, std::span<const GripId> ids, Vector by)
 }
 
 Edited<Curve> withPointAdded(Curve curve, Point at) {
-    return std::visit([&](auto&& c) { return widened(withPointAdded(std::move(c), at)); }, std::move(curve));
+    return std::visit([&](auto& c) { return widened(withPointAdded(std::move(c), at)); }, curve);
 }
 
 std::optional<Edited<Curve>> withPointInserted(const Curve& curve, Point near) {

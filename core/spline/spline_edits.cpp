@@ -73,8 +73,7 @@ void carry(SplineCurve& curve, const Carried& carried, Vector by) {
 class GripMover {
   public:
     GripMover(const SplineCurve& before, const Carried& carried, Vector by)
-        : before_(before)
-        , carried_(carried)
+        : carried_(carried)
         , by_(by)
         , handles_(knotHandles(before))
         , ends_(endDerivatives(before, handles_)) {
@@ -111,7 +110,6 @@ class GripMover {
         inner[part] = standing[part] + by_;
     }
 
-    const SplineCurve& before_;
     const Carried& carried_;
     Vector by_;
     std::vector<KnotHandles> handles_;

@@ -26,7 +26,7 @@ std::vector<double> randomDoubles(std::size_t count) {
 }
 
 std::vector<double> readBack(const std::vector<double>& numbers, JsonWriter::Digits digits) {
-    JsonWriter json(digits);
+    JsonWriter json(digits, 0);
     json.value(numbers);
     const auto tape = parseJson(std::move(json).take());
     std::vector<double> read;
@@ -50,7 +50,7 @@ TEST(JsonWriter, writesDoublesThatReadBackBitForBit) {
 }
 
 std::string written(const auto& value, JsonWriter::Digits digits = JsonWriter::Digits::shortest) {
-    JsonWriter json(digits);
+    JsonWriter json(digits, 0);
     json.value(value);
     std::string text = std::move(json).take();
     text.pop_back(); // the end of the line
