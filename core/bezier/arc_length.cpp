@@ -1,7 +1,9 @@
 #include "core/bezier/arc_length.h"
 
+#include "core/polynomial/bernstein_polynomial.h"
 #include "core/polynomial/casteljau.h"
 #include "core/polynomial/gauss_legendre.h"
+#include "core/polynomial/hodograph_forms.h"
 
 #include <algorithm>
 #include <array>
@@ -28,13 +30,6 @@ constexpr int kDeepest = 60;
 constexpr double kMostPoints = 24;
 constexpr double kMostPointsByDegree = 9;
 
-constexpr double power(double base, std::size_t exponent) {
-    double result = 1;
-    for (; exponent > 0; exponent /= 2, base *= base)
-        result *= exponent % 2 == 1 ? base : 1;
-    return result;
-}
-
 /// Half the sum of the axes of the smallest Bernstein ellipse in which an integrand within 3 m of m must be analytic
 /// for a Gauss rule to be as exact as asked, relative to m: 32/5 rho^(2 - 2 N) / (1 - rho^-2) <= error. In this ellipse
 /// around [0, 1], |t| + |1 - t| <= (rho + 1 / rho) / 2.
@@ -59,36 +54,11 @@ constexpr auto kAxes = [] {
     return axes;
 }();
 
-double size(Vector v) {
-    return std::sqrt(dot(v, v));
-}
-
-/// A derivative as a line plus a rest: sizes of the middle of the line, of its half, of the largest Bernstein
-/// coefficient of the rest.
-struct Spread {
-    double middle = 0;
-    double half = 0;
-    double rest = 0;
-};
-
-Spread spreadOf(std::span<const Vector> speed) {
-    const Vector start = speed.front();
-    const Vector way = speed.back() - start;
-    double rest = 0;
-    for (std::size_t i = 1; i + 1 < speed.size(); ++i) {
-        const double t = static_cast<double>(i) / static_cast<double>(speed.size() - 1);
-        const Vector off = speed[i] - start - t * way;
-        rest = std::max(rest, dot(off, off));
-    }
-    return {size(start + way / 2), size(way) / 2, std::sqrt(rest)};
-}
-
 /// The smallest Gauss rule that is enough for a piece with this derivative, of which the whole curve is at least
 /// `whole` long in units of the piece's parameter; nothing where it is better to halve the piece.
 ///
-/// For complex t with |t| + |1 - t| <= s the derivative c of degree d, and its conjugate polynomial too, is within
-/// s half + s^d rest of the middle. Where that is below the size of the middle, both have no zero, so the speed
-/// sqrt(c conj(c)) is analytic there, and within three times the middle's size of it.
+/// Where the derivative c, and so its conjugate polynomial, is within the size of the middle of it, both have no zero:
+/// there the speed sqrt(c conj(c)) is analytic and within three times the middle's size of it.
 std::optional<std::size_t> sufficientRule(std::span<const Vector> speed, double whole) {
     const std::size_t degree = speed.size() - 1;
     const Spread spread = spreadOf(speed);
@@ -107,26 +77,14 @@ std::optional<std::size_t> sufficientRule(std::span<const Vector> speed, double 
     return std::nullopt;
 }
 
-/// The integral of |c(t)| over [0, 1] by a Gauss rule. c is evaluated as (1 - t)^d times a polynomial in t / (1 - t),
-/// and at the mirrored node with the coefficients reversed.
+/// The integral of |c(t)| over [0, 1] by a Gauss rule.
 template <class Row>
 double integral(Row speed, std::size_t rule) {
-    const std::size_t degree = speed.size() - 1;
-    double binomial = 1;
-    for (std::size_t i = 0; i <= degree; ++i) {
-        speed[i] = binomial * speed[i];
-        binomial = binomial * static_cast<double>(degree - i) / static_cast<double>(i + 1);
-    }
+    scaleByBinomials(speed);
     double sum = 0;
     for (const GaussNode node : gaussNodes(rule)) {
-        const double ratio = node.at / (1 - node.at);
-        Vector near = speed[degree];
-        Vector far = speed[0];
-        for (std::size_t i = 1; i <= degree; ++i) {
-            near = ratio * near + speed[degree - i];
-            far = ratio * far + speed[i];
-        }
-        sum += node.weight * power(1 - node.at, degree) * (size(near) + size(far));
+        const auto [near, far] = mirroredValues(std::span<const Vector>(speed), node.at);
+        sum += node.weight * (size(near) + size(far));
     }
     return sum;
 }

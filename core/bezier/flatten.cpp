@@ -1,7 +1,7 @@
 #include "core/bezier/flatten.h"
 
-#include "core/bezier/subdivide.h"
 #include "core/geometry/box.h"
+#include "core/polynomial/casteljau.h"
 
 #include <algorithm>
 #include <cassert>
@@ -13,40 +13,38 @@ namespace {
 /// Halvings that reach the finest tolerance at any degree: each one divides the distance from the chord by four.
 constexpr int kDeepest = 40;
 
-double distanceToSegment(Point p, Point a, Point b) {
-    const Vector chord = b - a;
-    const double squared = dot(chord, chord);
-    const double along = squared > 0 ? std::clamp(dot(p - a, chord) / squared, 0.0, 1.0) : 0;
-    return length(p - a - along * chord);
-}
-
-/// Whether the chord may stand for the curve.
+/// Whether the chord may stand for a piece with these control vectors.
 ///
-/// The curve stays in the hull of its control points, hence as near to the chord as they are; running from end to end
+/// The piece stays in the hull of its control points, hence as near to the chord as they are; running from end to end
 /// past every point of the chord, it also leaves none farther behind. Where all control points lie above the chord, the
 /// inner ones, which alone are off its line, weigh together at most 1 - 2^(1 - n).
-bool isFlat(std::span<const Point> curve, double tolerance) {
-    const Point start = curve.front();
-    const Vector chord = curve.back() - start;
+bool isFlat(std::span<const Vector> piece, double tolerance) {
+    const Vector start = piece.front();
+    const Vector chord = piece.back() - start;
     const double squared = dot(chord, chord);
-    const auto inner = curve.subspan(1, curve.size() - 2);
-    const bool above = std::ranges::all_of(inner, [&](Point p) {
-        const double along = dot(p - start, chord);
-        return 0 <= along && along <= squared;
-    });
-    const double weight = above ? 1 - std::exp2(2 - static_cast<double>(curve.size())) : 1;
-    return std::ranges::all_of(
-        inner, [&](Point p) { return weight * distanceToSegment(p, start, curve.back()) <= tolerance; });
+    double farthest = 0;
+    bool above = true;
+    for (const Vector v : piece.subspan(1, piece.size() - 2)) {
+        const double along = dot(v - start, chord);
+        above = above && 0 <= along && along <= squared;
+        const double share = squared > 0 ? std::clamp(along / squared, 0.0, 1.0) : 0;
+        const Vector off = v - start - share * chord;
+        farthest = std::max(farthest, dot(off, off));
+    }
+    const double weight = above ? 1 - std::exp2(2 - static_cast<double>(piece.size())) : 1;
+    return weight * std::sqrt(farthest) <= tolerance;
 }
 
-void append(std::span<const Point> curve, double tolerance, int depth, Points& vertices) {
-    if (depth == kDeepest || isFlat(curve, tolerance)) {
-        vertices.push_back(curve.back());
+/// Appends the vertices after the first one; `piece`, control vectors from `origin`, is used up.
+void append(Point origin, std::span<Vector> piece, double tolerance, int depth, Points& vertices) {
+    if (depth == kDeepest || isFlat(piece, tolerance)) {
+        vertices.push_back(origin + piece.back());
         return;
     }
-    const Halves halves = split(curve, 0.5);
-    append(halves.left, tolerance, depth + 1, vertices);
-    append(halves.right, tolerance, depth + 1, vertices);
+    RowBuffer<Vector> left(piece.size());
+    splitInPlace(piece, left.row(), 0.5);
+    append(origin, left.row(), tolerance, depth + 1, vertices);
+    append(origin, piece, tolerance, depth + 1, vertices);
 }
 
 } // namespace
@@ -54,8 +52,13 @@ void append(std::span<const Point> curve, double tolerance, int depth, Points& v
 Points flattened(std::span<const Point> curve, Tolerance tolerance) {
     assert(!curve.empty());
     Points vertices{curve.front()};
-    if (curve.size() > 1)
-        append(curve, std::max(tolerance.distance, kFinestFlattening * diagonal(boxOf(curve))), 0, vertices);
+    if (curve.size() == 1)
+        return vertices;
+    RowBuffer<Vector> row(curve.size());
+    writeFromStart(curve, row.row());
+    const double finest = kFinestFlattening * diagonal(boxOf(curve));
+    append(curve.front(), row.row(), std::max(tolerance.distance, finest), 0, vertices);
+    vertices.back() = curve.back();
     return vertices;
 }
 

@@ -8,8 +8,49 @@
 /// Polynomials over [0, 1], given by their Bernstein coefficients: never empty, one more than the formal degree.
 namespace kriva {
 
+/// base^exponent by repeated squaring.
+[[nodiscard]] constexpr double power(double base, std::size_t exponent) {
+    double result = 1;
+    for (; exponent > 0; exponent /= 2, base *= base)
+        result *= exponent % 2 == 1 ? base : 1;
+    return result;
+}
+
 /// The binomial coefficients C(degree, 0)..C(degree, degree), a few ulp.
 [[nodiscard]] std::vector<double> binomials(std::size_t degree);
+
+/// Multiplies coefficient i by C(degree, i), which makes values cost O(degree) instead of O(degree^2).
+template <class Row>
+constexpr void scaleByBinomials(Row&& row) {
+    const std::size_t degree = row.size() - 1;
+    double binomial = 1;
+    for (std::size_t i = 0; i <= degree; ++i) {
+        row[i] = binomial * row[i];
+        binomial = binomial * static_cast<double>(degree - i) / static_cast<double>(i + 1);
+    }
+}
+
+/// Two values of a polynomial.
+template <class T>
+struct MirroredValues {
+    T near; ///< at t
+    T far;  ///< at 1 - t
+};
+
+/// The values at t <= 1/2 and at its mirror image, as (1 - t)^degree times polynomials in t / (1 - t): no term is
+/// larger than in de Casteljau's scheme. `scaled` by binomials.
+template <class T>
+[[nodiscard]] constexpr MirroredValues<T> mirroredValues(std::span<const T> scaled, double t) {
+    const std::size_t degree = scaled.size() - 1;
+    const double ratio = t / (1 - t);
+    MirroredValues<T> values{scaled[degree], scaled[0]};
+    for (std::size_t i = 1; i <= degree; ++i) {
+        values.near = ratio * values.near + scaled[degree - i];
+        values.far = ratio * values.far + scaled[i];
+    }
+    const double factor = power(1 - t, degree);
+    return {factor * values.near, factor * values.far};
+}
 
 /// The largest absolute value of a coefficient, which no value on [0, 1] exceeds.
 [[nodiscard]] double largestCoefficient(std::span<const double> coefficients);

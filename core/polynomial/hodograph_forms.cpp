@@ -7,21 +7,6 @@
 
 namespace kriva {
 
-namespace {
-
-using Exact = std::vector<DoubleDouble>;
-
-template <class Combine>
-Exact combined(const Exact& a, const Exact& b, Combine combine) {
-    Exact result;
-    result.reserve(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i)
-        result.push_back(combine(a[i], b[i]));
-    return result;
-}
-
-} // namespace
-
 double unitOf(std::span<const Point> curve) {
     double largest = 0;
     for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
@@ -31,35 +16,61 @@ double unitOf(std::span<const Point> curve) {
     return largest > 0 ? std::exp2(std::ilogb(largest)) : 1;
 }
 
-ExactHodograph exactHodograph(std::span<const Point> curve, double unit) {
+template <class T>
+Hodograph<T> hodographIn(double unit, std::span<const Point> curve) {
     assert(curve.size() >= 2);
-    const DoubleDouble degree(static_cast<double>(curve.size() - 1));
-    const DoubleDouble factor(1 / unit);
-    ExactHodograph result;
+    const T degree(static_cast<double>(curve.size() - 1));
+    const T factor(1 / unit);
+    Hodograph<T> result;
     for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-        result.x.push_back(degree * (factor * exactSum(curve[i + 1].x, -curve[i].x)));
-        result.y.push_back(degree * (factor * exactSum(curve[i + 1].y, -curve[i].y)));
+        result.x.push_back(degree * (factor * (T(curve[i + 1].x) - T(curve[i].x))));
+        result.y.push_back(degree * (factor * (T(curve[i + 1].y) - T(curve[i].y))));
     }
     return result;
 }
 
-std::vector<DoubleDouble> turning(const ExactHodograph& hodograph) {
+template <class T>
+std::vector<T> turning(const Hodograph<T>& hodograph) {
     const std::size_t degree = hodograph.x.size() - 1;
     if (degree == 0)
-        return {DoubleDouble()};
+        return {T(0.0)};
     // With the two points a, b of the last step of de Casteljau's scheme, c = (1 - t) a + t b and c' = degree (b - a),
     // so that c x c' = degree (a x b).
-    const auto first = [&](const Exact& c) { return std::span(c).first(degree); };
-    const auto second = [&](const Exact& c) { return std::span(c).last(degree); };
-    return combined(product(first(hodograph.x), second(hodograph.y)), product(first(hodograph.y), second(hodograph.x)),
-                    [&](const DoubleDouble& p, const DoubleDouble& q) {
-                        return DoubleDouble(static_cast<double>(degree)) * (p - q);
-                    });
+    const auto first = [&](const std::vector<T>& c) { return std::span(c).first(degree); };
+    const auto second = [&](const std::vector<T>& c) { return std::span(c).last(degree); };
+    std::vector<T> result = product(first(hodograph.x), second(hodograph.y));
+    const std::vector<T> other = product(first(hodograph.y), second(hodograph.x));
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = T(static_cast<double>(degree)) * (result[i] - other[i]);
+    return result;
 }
 
-std::vector<DoubleDouble> speedSquared(const ExactHodograph& hodograph) {
-    return combined(product(hodograph.x, hodograph.x), product(hodograph.y, hodograph.y),
-                    [](const DoubleDouble& p, const DoubleDouble& q) { return p + q; });
+template <class T>
+std::vector<T> speedSquared(const Hodograph<T>& hodograph) {
+    std::vector<T> result = product(std::span(hodograph.x), std::span(hodograph.x));
+    const std::vector<T> other = product(std::span(hodograph.y), std::span(hodograph.y));
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = result[i] + other[i];
+    return result;
+}
+
+template Hodograph<double> hodographIn(double, std::span<const Point>);
+template Hodograph<DoubleDouble> hodographIn(double, std::span<const Point>);
+template std::vector<double> turning(const Hodograph<double>&);
+template std::vector<DoubleDouble> turning(const Hodograph<DoubleDouble>&);
+template std::vector<double> speedSquared(const Hodograph<double>&);
+template std::vector<DoubleDouble> speedSquared(const Hodograph<DoubleDouble>&);
+
+Spread spreadOf(std::span<const Vector> hodograph) {
+    const Vector start = hodograph.front();
+    const Vector way = hodograph.back() - start;
+    double rest = 0;
+    for (std::size_t i = 1; i + 1 < hodograph.size(); ++i) {
+        const double t = static_cast<double>(i) / static_cast<double>(hodograph.size() - 1);
+        const Vector off = hodograph[i] - start - t * way;
+        rest = std::max(rest, dot(off, off));
+    }
+    return {size(start + way / 2), size(way) / 2, std::sqrt(rest)};
 }
 
 } // namespace kriva

@@ -5,12 +5,17 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 namespace kriva {
 
 namespace {
 
 constexpr double kRounding = std::numeric_limits<double>::epsilon() / 2;
+
+/// What one operation loses, relative to the operands.
+template <class T>
+constexpr double kRoundingOf = std::is_same_v<T, double> ? kRounding : 0x1p-102;
 
 /// Halvings of [0, 1] after which neighbouring doubles are reached.
 constexpr int kDeepest = 52;
@@ -21,6 +26,7 @@ struct Signs {
     int first = 0;
     int last = 0;
     int variations = 0;
+    bool certain = true; ///< no coefficient drowns
 };
 
 template <class T>
@@ -28,8 +34,10 @@ Signs signsOf(std::span<const T> coefficients, double noise) {
     Signs signs;
     for (const T& c : coefficients) {
         const auto value = static_cast<double>(c);
-        if (std::abs(value) <= noise)
+        if (std::abs(value) <= noise) {
+            signs.certain = false;
             continue;
+        }
         const int sign = value > 0 ? 1 : -1;
         if (signs.last == -sign)
             ++signs.variations;
@@ -44,7 +52,9 @@ Signs signsOf(std::span<const T> coefficients, double noise) {
 /// halving, so that the bracket shrinks even where the secant creeps.
 template <class T>
 double onlyChange(std::span<const T> coefficients, int rising) {
-    RowBuffer<T> buffer(coefficients.size());
+    RowBuffer<T> scaled(coefficients.size());
+    std::ranges::copy(coefficients, scaled.row().begin());
+    scaleByBinomials(scaled.row());
     double low = 0;
     double high = 1;
     // An end may be zero itself; then the first secant step fails and the halving takes over.
@@ -57,8 +67,8 @@ double onlyChange(std::span<const T> coefficients, int rising) {
             t = low / 2 + high / 2;
         if (t <= low || t >= high)
             break;
-        std::ranges::copy(coefficients, buffer.row().begin());
-        const double value = rising * static_cast<double>(valueInPlace(buffer.row(), t));
+        const auto [near, far] = mirroredValues(std::span<const T>(scaled.row()), std::min(t, 1 - t));
+        const double value = rising * static_cast<double>(t <= 0.5 ? near : far);
         if (value == 0)
             return t;
         const int side = value > 0 ? 1 : -1;
@@ -78,11 +88,14 @@ struct Walk {
     std::vector<double> found;
     int sign = 0; ///< of the polynomial up to `until`, 0 while unknown
     double until = 0;
+    bool certain = true;
 
     void visit(std::span<T> row, double from, double to, int depth) {
         const Signs signs = signsOf(std::span<const T>(row), noise);
-        if (signs.first == 0 || (signs.variations > 1 && depth == kDeepest))
+        if (signs.first == 0 || (signs.variations > 1 && depth == kDeepest)) {
+            certain = false;
             return;
+        }
         if (signs.variations > 1) {
             std::vector<T> left(row.size());
             splitInPlace(row, std::span(left), 0.5);
@@ -91,6 +104,7 @@ struct Walk {
             visit(row, middle, to, depth + 1);
             return;
         }
+        certain = certain && signs.certain;
         if (sign == -signs.first)
             found.push_back(until / 2 + from / 2);
         if (signs.variations == 1)
@@ -100,13 +114,15 @@ struct Walk {
     }
 };
 
+/// The noise of the coefficients grows by that of the splits: three roundings at each level, of which only the first
+/// splits see large coefficients.
 template <class T>
-std::vector<double> changesOf(std::span<const T> coefficients, double noise) {
+Walk<T> walked(std::span<const T> coefficients, double noise) {
     std::vector<T> row(coefficients.begin(), coefficients.end());
     Walk<T> walk;
-    walk.noise = noise;
+    walk.noise = noise + 3 * static_cast<double>(row.size()) * kRoundingOf<T> * largestCoefficient(coefficients);
     walk.visit(row, 0, 1, 0);
-    return walk.found;
+    return walk;
 }
 
 /// The roots of c_0 (1 - t)^2 + 2 c_1 t (1 - t) + c_2 t^2 where it changes sign, by the formula that never subtracts
@@ -131,13 +147,16 @@ std::vector<double> signChanges(std::span<const double> coefficients) {
         return quadraticChanges(coefficients[0], (coefficients[0] + coefficients[1]) / 2, coefficients[1]);
     if (coefficients.size() == 3)
         return quadraticChanges(coefficients[0], coefficients[1], coefficients[2]);
-    // Three roundings at each level of a split; only the first splits see large coefficients.
-    const double noise = 3 * static_cast<double>(coefficients.size()) * kRounding * largestCoefficient(coefficients);
-    return changesOf(coefficients, noise);
+    return walked(coefficients, 0).found;
+}
+
+std::optional<std::vector<double>> certainSignChanges(std::span<const double> coefficients, double noise) {
+    Walk<double> walk = walked(coefficients, noise);
+    return walk.certain ? std::optional(std::move(walk.found)) : std::nullopt;
 }
 
 std::vector<double> signChanges(std::span<const DoubleDouble> coefficients, double noise) {
-    return changesOf(coefficients, noise);
+    return walked(coefficients, noise).found;
 }
 
 } // namespace kriva

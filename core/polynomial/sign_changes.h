@@ -2,6 +2,7 @@
 
 #include "core/polynomial/double_double.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace kriva {
 ///
 /// The noise is the rounding error of the work in doubles.
 [[nodiscard]] std::vector<double> signChanges(std::span<const double> coefficients);
+
+/// The same where every sign that counts stands out of the noise that the coefficients carry; else nothing.
+[[nodiscard]] std::optional<std::vector<double>> certainSignChanges(std::span<const double> coefficients, double noise);
 
 /// The same in double-double arithmetic, with the noise that the coefficients already carry.
 [[nodiscard]] std::vector<double> signChanges(std::span<const DoubleDouble> coefficients, double noise);
