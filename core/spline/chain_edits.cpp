@@ -44,14 +44,6 @@ std::map<int, Points> shiftedBehind(const std::map<int, Points>& inner, int segm
     return shifted;
 }
 
-/// The knot with the handles it has, one of which is about to be shortened.
-void loosen(SplineKnot& knot, const KnotHandles& handles) {
-    if (knot.join != Join::corner)
-        knot.join = Join::smooth;
-    knot.in = handles.in;
-    knot.out = handles.out;
-}
-
 /// The chain cut open at t with everything stored that the two halves need to keep their shape.
 SplineCurve cut(const SplineCurve& curve, std::size_t segment, const Halves& halves, double t) {
     const std::vector<KnotHandles> handles = knotHandles(curve);
@@ -59,8 +51,8 @@ SplineCurve cut(const SplineCurve& curve, std::size_t segment, const Halves& hal
     SplineCurve result = withDerivativesHeld(curve, handles);
     SplineKnot& from = result.knots[segment];
     SplineKnot& to = result.knots[next];
-    loosen(from, handles[segment]);
-    loosen(to, handles[next]);
+    from = loosened(from, handles[segment]);
+    to = loosened(to, handles[next]);
     from.out = lerp(from.at, *from.out, t);
     to.in = lerp(*to.in, to.at, t);
 

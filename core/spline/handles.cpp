@@ -1,6 +1,6 @@
 #include "core/spline/handles.h"
 
-#include "core/spline/c2_tangents.h"
+#include "core/spline/smooth_chain.h"
 
 namespace kriva {
 namespace {

@@ -122,6 +122,14 @@ SplineCurve withJoin(const SplineCurve& curve, std::span<const int> knots, Join 
     return repaired(std::move(changed));
 }
 
+SplineKnot loosened(SplineKnot knot, const KnotHandles& handles) {
+    if (knot.join != Join::corner)
+        knot.join = Join::smooth;
+    knot.in = handles.in;
+    knot.out = handles.out;
+    return knot;
+}
+
 SplineCurve withDerivativesHeld(SplineCurve curve, std::span<const KnotHandles> handles) {
     if (curve.startDerivative.has_value() == curve.endDerivative.has_value())
         return curve;

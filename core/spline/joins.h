@@ -34,6 +34,9 @@ enum class HandleSide { in, out };
 /// their stored handles.
 [[nodiscard]] SplineCurve withJoin(const SplineCurve& curve, std::span<const int> knots, SplineKnot::Join join);
 
+/// The knot with both handles stored where they stand, about to be changed one by one: smooth unless it is a corner.
+[[nodiscard]] SplineKnot loosened(SplineKnot knot, const KnotHandles& handles);
+
 /// The curve with end derivatives held as they are, where turning knots into stored ones would otherwise change them:
 /// one that is not given follows from the natural chain, which is not the clamped one if the other is given.
 [[nodiscard]] SplineCurve withDerivativesHeld(SplineCurve curve, std::span<const KnotHandles> handles);

@@ -2,7 +2,7 @@
 
 #include "core/bezier/elevate.h"
 #include "core/spline/handles.h"
-#include "core/spline/quadratic_chain.h"
+#include "core/spline/smooth_chain.h"
 
 #include <algorithm>
 

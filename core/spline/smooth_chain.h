@@ -4,6 +4,7 @@
 
 #include <optional>
 
+/// Chains that join smoothly, from the chords c_i = K_(i+1) - K_i between their knots alone.
 namespace kriva {
 
 /// The tangents h_0..h_n, as handles out - K_i, of the C2 chain of cubics over n >= 1 chords c_i = K_(i+1) - K_i with
@@ -15,5 +16,10 @@ namespace kriva {
 
 /// The same for a closed chain of n >= 3 chords, C2 at every knot; h_n = h_0. O(n).
 [[nodiscard]] std::vector<Vector> periodicC2Tangents(std::span<const Vector> chords);
+
+/// The middle points P1 - P0 of a C1 chain of parabolas over chords c_i = K_(i+1) - K_i, each P1 the mirror image of
+/// the one before through their knot, the first chosen so that the sum of |P0 - 2 P1 + P2|^2 is least; for a single
+/// chord its midpoint. The condition at a closed chain's first knot is left open. O(n).
+[[nodiscard]] std::vector<Vector> quadraticMiddles(std::span<const Vector> chords);
 
 } // namespace kriva
