@@ -28,9 +28,14 @@ Points pointsFrom(Point start, std::span<const Vector> vectors) {
 
 Triangle deCasteljau(std::span<const Point> curve, double t) {
     assert(!curve.empty());
+    return deCasteljau(curve, std::vector<double>(curve.size() - 1, t));
+}
+
+Triangle deCasteljau(std::span<const Point> curve, std::span<const double> parameters) {
+    assert(!curve.empty() && parameters.size() + 1 == curve.size());
     Triangle rows{Points(curve.begin(), curve.end())};
     Vectors row = vectorsFromStart(curve);
-    while (row.size() > 1) {
+    for (const double t : parameters) {
         interpolateRow(std::span(row), t);
         row.pop_back();
         rows.push_back(pointsFrom(curve.front(), row));

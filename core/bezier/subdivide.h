@@ -9,6 +9,10 @@ using Triangle = std::vector<Points>;
 
 [[nodiscard]] Triangle deCasteljau(std::span<const Point> curve, double t);
 
+/// The scheme with another parameter at each level: row r comes from row r - 1 with parameters[r - 1], the last row is
+/// the blossom of them all. Needs as many parameters as the degree.
+[[nodiscard]] Triangle deCasteljau(std::span<const Point> curve, std::span<const double> parameters);
+
 /// The two parts of a curve cut at t, both running in its direction; they share left.back() == right.front().
 struct Halves {
     Points left;

@@ -3,6 +3,7 @@
 #include "core/document/limits.h"
 #include "core/figure/labels.h"
 
+#include <algorithm>
 #include <array>
 
 namespace kriva {
@@ -23,9 +24,9 @@ constexpr std::array kLayers{
     LayerInfo{"part-labels", Caption::partLabels, true, true},
 };
 
-/// The rows between the control polygon and the point on the curve.
-Layer construction(const Triangle& triangle) {
-    Layer layer{"construction"};
+/// The rows between the control polygon and the last point.
+Layer construction(std::string_view name, const Triangle& triangle) {
+    Layer layer{name};
     for (std::size_t r = 1; r + 1 < triangle.size(); ++r) {
         const int level = static_cast<int>(r);
         layer.strokes.push_back({polyline(triangle[r]), Role::construction, level});
@@ -78,16 +79,23 @@ std::string blossomName(std::size_t degree) {
 }
 
 /// Arguments far from [0, 1] throw the blossom so far away that no canvas reaches it.
-bool isWithinLimits(Point p) {
-    return std::abs(p.x) <= limits::kNumber && std::abs(p.y) <= limits::kNumber;
+bool isWithinLimits(const Triangle& triangle) {
+    return std::ranges::all_of(triangle, [](const Points& row) {
+        return std::ranges::all_of(
+            row, [](Point p) { return std::abs(p.x) <= limits::kNumber && std::abs(p.y) <= limits::kNumber; });
+    });
 }
 
-Layer blossomLayer(const Subdivision& subdivision) {
-    Layer layer{"blossom"};
-    if (!subdivision.blossom || !isWithinLimits(*subdivision.blossom))
-        return layer;
-    layer.marks.push_back({{*subdivision.blossom}, Role::curvePoint, 1});
-    layer.labels.push_back({*subdivision.blossom, Caption::none, blossomName(subdivision.polygon.size() - 1), ""});
+/// The scheme with one argument after the other, and where it ends.
+Layer blossomLayer(const SubdivisionCurve& curve, const Points& polygon) {
+    if (!curve.blossom)
+        return {"blossom"};
+    const Triangle triangle = deCasteljau(polygon, *curve.blossom);
+    if (!isWithinLimits(triangle))
+        return {"blossom"};
+    Layer layer = construction("blossom", triangle);
+    layer.marks.push_back({triangle.back(), Role::curvePoint, 1});
+    layer.labels.push_back({triangle.back().front(), Caption::none, blossomName(polygon.size() - 1), ""});
     return layer;
 }
 
@@ -113,16 +121,16 @@ std::vector<Label> partLabels(const Halves& halves) {
 }
 
 void addPolygons(Figure& figure, const SubdivisionCurve& curve, const Subdivision& cut) {
-    figure.layers.push_back(construction(cut.triangle));
+    figure.layers.push_back(construction("construction", cut.triangle));
     figure.layers.push_back(piecesLayer(curve));
     figure.layers.push_back(partialCurves(cut));
     figure.layers.push_back(half("left", cut.halves.left, Role::left));
     figure.layers.push_back(half("right", cut.halves.right, Role::right));
 }
 
-void addPlaces(Figure& figure, const Subdivision& cut) {
+void addPlaces(Figure& figure, const SubdivisionCurve& curve, const Subdivision& cut) {
     figure.layers.push_back({"curve-point", {}, {{cut.triangle.back(), Role::curvePoint}}});
-    figure.layers.push_back(blossomLayer(cut));
+    figure.layers.push_back(blossomLayer(curve, cut.polygon));
 }
 
 } // namespace
@@ -143,7 +151,7 @@ Figure figureOf(const SubdivisionCurve& curve, const FigureContext& context) {
             {"curve", {{singleCurve(controlPolygon(curve)), Role::curve, 0, 1, curve.style, context.curve}}});
     figure.layers.push_back({"points", {}, {{curve.points, Role::point}}});
     if (isCut)
-        addPlaces(figure, cut);
+        addPlaces(figure, curve, cut);
     figure.layers.push_back({"labels", {}, {}, pointLabels(curve)});
     if (isCut)
         figure.layers.push_back({"part-labels", {}, {}, partLabels(cut.halves)});

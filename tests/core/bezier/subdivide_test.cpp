@@ -41,6 +41,14 @@ RC_GTEST_PROP(DeCasteljau, endsInThePointOfTheCurve, ()) {
     RC_ASSERT(triangle.back() == Points{evaluate(curve, t)});
 }
 
+RC_GTEST_PROP(DeCasteljau, endsInTheBlossomOfItsParameters, ()) {
+    const Points curve = *test::anyCurve(1, 12);
+    const auto parameters = *rc::gen::container<std::vector<double>>(curve.size() - 1, test::anyParameter());
+    const Triangle triangle = deCasteljau(curve, parameters);
+    RC_ASSERT(triangle.size() == curve.size());
+    RC_ASSERT(triangle.back() == Points{blossom(curve, parameters)});
+}
+
 RC_GTEST_PROP(Split, halvesRejoinExactly, ()) {
     const Points curve = *test::anyCurve(0, 20);
     const Halves halves = split(curve, *anyInnerParameter());

@@ -104,11 +104,20 @@ TEST(SubdivisionFigure, labelsOfThePartsKeepOutOfEachOthersWay) {
     EXPECT_NE(labels[0].side, layerNamed("labels", example()).labels[0].side);
 }
 
-TEST(SubdivisionFigure, namesTheBlossomByItsArguments) {
+TEST(SubdivisionFigure, drawsTheSchemeOfTheBlossom) {
     SubdivisionCurve curve = example();
     EXPECT_THAT(layerNamed("blossom", curve).marks, IsEmpty());
     curve.blossom = {0.25, 0.5, 0.75};
-    EXPECT_THAT(layerNamed("blossom", curve).marks[0].at, ElementsAre(Point{3.625, 1.625}));
+    const Layer layer = layerNamed("blossom", curve);
+    ASSERT_EQ(layer.strokes.size(), 2u);
+    EXPECT_EQ(layer.strokes[0].path, polyline(Points{{0, 0.5}, {2, 2}, {7, 1.5}}));
+    EXPECT_EQ(layer.strokes[1].path, polyline(Points{{1, 1.25}, {4.5, 1.75}}));
+    EXPECT_THAT(layer.marks.back().at, ElementsAre(Point{3.625, 1.625}));
+}
+
+TEST(SubdivisionFigure, namesTheBlossomByItsArguments) {
+    SubdivisionCurve curve = example();
+    curve.blossom = {0.25, 0.5, 0.75};
     EXPECT_EQ(layerNamed("blossom", curve).labels[0].text, "b[t1,t2,t3]");
     curve.multiplicity[0] = 2;
     curve.blossom = {0, 0.25, 0.5, 0.75};
