@@ -1,5 +1,7 @@
 #include "core/figure/figure.h"
 
+#include "core/bezier/bounds.h"
+
 #include <iterator>
 
 namespace kriva {
@@ -62,11 +64,11 @@ Figure shownLayers(Figure figure, std::span<const LayerInfo> table, const SheetV
     return figure;
 }
 
-Box controlBox(const Figure& figure) {
+Box boxOf(const Figure& figure) {
     Box box;
     for (const Layer& layer : figure.layers) {
         for (const Stroke& stroke : layer.strokes)
-            box = united(box, boxOf(stroke.path.points));
+            forEachPiece(stroke.path, [&](std::span<const Point> piece) { box = united(box, tightBounds(piece)); });
         for (const Marks& marks : layer.marks)
             box = united(box, boxOf(marks.at));
         for (const Label& label : layer.labels)

@@ -126,7 +126,7 @@ struct FigureContext {
 [[nodiscard]] Figure shownLayers(Figure figure, std::span<const LayerInfo> table, const SheetView& view,
                                  const FigureContext& context);
 
-/// The box of all control points of strokes, marks and labels.
-[[nodiscard]] Box controlBox(const Figure& figure);
+/// The box of the strokes, of curves themselves and not of their control points, and of all places of marks and labels.
+[[nodiscard]] Box boxOf(const Figure& figure);
 
 } // namespace kriva

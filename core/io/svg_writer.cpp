@@ -218,7 +218,7 @@ std::string writeSheetSvg(const Document& document, SheetIndex sheet, const Text
                           const SvgOptions& options) {
     SvgContent content;
     content.figure = figureOf(document.sheets[sheet], sheet);
-    content.page = pageOf(controlBox(content.figure), document.sheets[sheet].view.mmPerUnit);
+    content.page = pageOf(boxOf(content.figure), document.sheets[sheet].view.mmPerUnit);
     content.title = document.title.empty() ? texts.translate(captionOf(sheet)) : document.title;
     content.description = describe(content.figure, sheet, texts);
     content.theme = options.theme;

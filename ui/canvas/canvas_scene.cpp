@@ -182,7 +182,7 @@ std::optional<Point> CanvasScene::placeOf(const GripRef& grip) const {
 Box CanvasScene::box() const {
     Box all;
     for (const Entry& entry : entries_) {
-        all = united(all, controlBox(entry.item->figure()));
+        all = united(all, boxOf(entry.item->figure()));
         for (const Grip& grip : entry.grips)
             extend(all, grip.at);
     }

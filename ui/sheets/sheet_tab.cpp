@@ -120,7 +120,7 @@ CanvasCurve SheetTab::canvasCurve(Serial serial) const {
 }
 
 void SheetTab::followPage() {
-    const Box box = controlBox(figureOf(editor_.sheet(), editor_.index()));
+    const Box box = boxOf(figureOf(editor_.sheet(), editor_.index()));
     canvas_->setUnitScale(pageOf(box, editor_.sheet().view.mmPerUnit).mmPerUnit * kPixelsPerMillimetre);
 }
 

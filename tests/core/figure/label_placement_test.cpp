@@ -12,7 +12,7 @@ const TextSource kTexts{[](Caption) { return std::string("Word"); }, [](double, 
 std::vector<PlacedLabel> placed(Layer layer) {
     Figure figure;
     figure.layers.push_back(std::move(layer));
-    return placedLabels(figure, pageOf(controlBox(figure)), kTexts).front();
+    return placedLabels(figure, pageOf(boxOf(figure)), kTexts).front();
 }
 
 TEST(LabelPlacement, turnsLabelsOutOfThePolygon) {

@@ -1,0 +1,67 @@
+#include "core/figure/figure.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace kriva {
+namespace {
+
+constexpr std::array kTable{LayerInfo{"low"}, LayerInfo{"off", Caption::none, false},
+                            LayerInfo{"own", Caption::none, true, true}, LayerInfo{"high"}};
+
+std::vector<std::string_view> names(const Figure& figure) {
+    std::vector<std::string_view> all;
+    for (const Layer& layer : figure.layers)
+        all.push_back(layer.name);
+    return all;
+}
+
+TEST(Figure, unitesLayersByNameInTheOrderOfTheTable) {
+    Figure first{{{"high", {}, {{{{1, 1}}}}}, {"low"}}};
+    Figure second{{{"high", {}, {{{{2, 2}}}}}}};
+    const Figure all = united({first, second}, kTable);
+    EXPECT_EQ(names(all), (std::vector<std::string_view>{"low", "high"}));
+    ASSERT_EQ(all.layers[1].marks.size(), 2u);
+    EXPECT_EQ(all.layers[1].marks[1].at[0], (Point{2, 2}));
+}
+
+TEST(Figure, hidesWhatIsOffAtFirstOrSwitchedOffOrOfTheActiveCurveOnly) {
+    const Figure figure{{{"low"}, {"off"}, {"own"}, {"high"}}};
+    SheetView view;
+    EXPECT_EQ(names(shownLayers(figure, kTable, view, {0, true})),
+              (std::vector<std::string_view>{"low", "own", "high"}));
+    EXPECT_EQ(names(shownLayers(figure, kTable, view, {0, false})), (std::vector<std::string_view>{"low", "high"}));
+    view.layers = {{"low", false}, {"off", true}};
+    EXPECT_EQ(names(shownLayers(figure, kTable, view, {0, true})),
+              (std::vector<std::string_view>{"off", "own", "high"}));
+}
+
+TEST(Figure, boxHoldsCurvesNotTheirControlPoints) {
+    Figure figure;
+    figure.layers.push_back({"low", {{singleCurve(Points{{0, 0}, {1, 2}, {3, 2}, {4, 0}})}}});
+    EXPECT_EQ(boxOf(figure), (Box{0, 0, 4, 1.5}));
+    figure.layers.push_back({"high", {{polyline(Points{{5, 1}, {5, 3}})}}, {{{{-1, 1}}}}});
+    Label label;
+    label.at = {2, -7};
+    figure.layers.back().labels.push_back(label);
+    EXPECT_EQ(boxOf(figure), (Box{-1, -7, 5, 3}));
+    EXPECT_TRUE(boxOf(Figure{}).isEmpty());
+}
+
+TEST(Figure, chainStartsEachPieceWhereTheOneBeforeEnded) {
+    const Path path = chain({{{0, 0}, {1, 1}}, {{1, 1}, {2, 2}, {3, 1}}}, false);
+    EXPECT_EQ(path.points, (Points{{0, 0}, {1, 1}, {2, 2}, {3, 1}}));
+    EXPECT_EQ(path.degrees, (std::vector{1, 2}));
+    std::vector<std::size_t> sizes;
+    forEachPiece(path, [&](std::span<const Point> piece) { sizes.push_back(piece.size()); });
+    EXPECT_EQ(sizes, (std::vector<std::size_t>{2, 3}));
+}
+
+TEST(Figure, polylineOfOnePointHasNoPiece) {
+    EXPECT_TRUE(polyline(Points{{1, 1}}).degrees.empty());
+    EXPECT_TRUE(polyline(Points{}).points.empty());
+}
+
+} // namespace
+} // namespace kriva
