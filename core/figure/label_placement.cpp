@@ -22,6 +22,9 @@ constexpr double kSubscriptDescent = 0.26;
 /// Between a point and its label, in millimetres: the half of a mark and a little air.
 constexpr double kDistance = 1.5;
 
+/// Between two labels, in millimetres.
+constexpr double kAir = 0.4;
+
 constexpr std::size_t kMostSearched = 300;
 
 /// From the point towards the label; in page coordinates, so y grows downwards.
@@ -158,7 +161,7 @@ std::vector<std::vector<PlacedLabel>> placedLabels(const Figure& figure, const P
             const Vector direction = bestDirection(label, points[i], wanted, obstacles, page);
             put(label, points[i], direction);
             if (count <= kMostSearched)
-                obstacles.addText(boxBeside(points[i], direction, label));
+                obstacles.addText(grown(boxBeside(points[i], direction, label), kAir));
             placed.push_back(std::move(label));
         }
     }

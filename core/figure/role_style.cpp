@@ -29,8 +29,7 @@ constexpr Ink kCurveInk{kBlue, kSkyBlue}; // blue is too dark for dark paper
 
 // Neighbours in a cycle differ in lightness too, so that a grey print keeps them apart. Yellow shows on dark paper
 // only.
-constexpr std::array<Ink, 4> kRunInks{
-    {{kBlue, kSkyBlue}, {kOrange, kVermillion}, {kGreen, kYellow}, {kSkyBlue, kGreen}}};
+constexpr std::array<Ink, 4> kRunInks{{{kBlue, kSkyBlue}, {kOrange, kGreen}, {kGreen, kYellow}, {kSkyBlue, kBlue}}};
 constexpr std::array<Ink, 4> kLevelInks{
     {{kGreen, kGreen}, {kOrange, kOrange}, {kPurple, kPurple}, {kSkyBlue, kSkyBlue}}};
 
@@ -96,7 +95,7 @@ RoleStyle styleOf(Role role, int series, Theme theme) {
     case Role::handle:
         return on.filled(on.line(kGrey, 0.5), Marker::circle, 3.4);
     case Role::join:
-        return on.hollow(on.line(kVermillion, 1.4, kDashes), Marker::diamond, 4.6, 0.8);
+        return on.hollow(on.line(kVermillion, 2), Marker::diamond, 4.6, 0.8);
     case Role::run:
         return on.line(cyclic(kRunInks, series), 1.6);
     case Role::curvePoint:

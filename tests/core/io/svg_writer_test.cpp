@@ -1,4 +1,5 @@
 #include "core/document/document_json.h"
+#include "core/figure/labels.h"
 #include "core/io/svg_writer.h"
 #include "tests/support/any_document.h"
 
@@ -120,6 +121,34 @@ TEST(SvgWriter, isReadByOtherPrograms) {
     for (const Theme theme : {Theme::light, Theme::dark})
         for (const char* program : {"xmllint", "rsvg-convert"})
             EXPECT_TRUE(accepts(program, svgOf(document, {theme, true})).value_or(true)) << program;
+}
+
+/// Every document of the tests' data, with curves of all sheets.
+std::vector<Document> cases() {
+    std::vector<Document> documents;
+    for (const auto& file : std::filesystem::directory_iterator(KRIVA_TEST_DATA "/cases")) {
+        if (file.path().extension() != ".kriva")
+            continue;
+        std::ifstream stream(file.path());
+        const std::string text{std::istreambuf_iterator<char>(stream), {}};
+        documents.push_back(std::get<Document>(readDocument(text)));
+    }
+    return documents;
+}
+
+TEST(SvgWriter, namesThePathOfEveryCurveOfEverySheet) {
+    std::size_t curves = 0;
+    for (const Document& document : cases()) {
+        for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
+            const pugi::xml_document xml = parsed(writeSheetSvg(document, sheet, kTexts));
+            const pugi::xml_node layer = xml.document_element().find_child_by_attribute("g", "id", "layer-curve");
+            for (std::size_t i = 0; i < document.sheets[sheet].curves.size(); ++i, ++curves)
+                EXPECT_TRUE(
+                    layer.find_child_by_attribute("path", "id", ("curve-" + decimal(static_cast<int>(i))).c_str()))
+                    << sheetName(sheet) << i;
+        }
+    }
+    EXPECT_GT(curves, 0U);
 }
 
 RC_GTEST_PROP(SvgWriter, isWellFormedAndWithoutExponentsAndTheSameTwice, ()) {
