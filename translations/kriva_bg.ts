@@ -1062,6 +1062,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Показване на полярната форма</translation>
     </message>
     <message>
+        <source>Hide the blossom</source>
+        <translation>Скриване на полярната форма</translation>
+    </message>
+    <message>
         <source>Set the blossom</source>
         <translation>Задаване на полярната форма</translation>
     </message>

@@ -1064,6 +1064,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <translation>Prikaz polarne forme</translation>
     </message>
     <message>
+        <source>Hide the blossom</source>
+        <translation>Skrivanje polarne forme</translation>
+    </message>
+    <message>
         <source>Set the blossom</source>
         <translation>Nastavitev polarne forme</translation>
     </message>

@@ -1063,6 +1063,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Показ полярної форми</translation>
     </message>
     <message>
+        <source>Hide the blossom</source>
+        <translation>Приховування полярної форми</translation>
+    </message>
+    <message>
         <source>Set the blossom</source>
         <translation>Зміна полярної форми</translation>
     </message>

@@ -83,10 +83,13 @@ int mostLevels(std::size_t controlPoints) {
     return levels;
 }
 
-int mostMultiplicity(const SubdivisionCurve& curve, int index) {
-    const int own = curve.multiplicity[static_cast<std::size_t>(index)];
-    const auto others = static_cast<int>(controlPointCount(curve)) - own;
-    return std::max(1, static_cast<int>(mostControlPoints(curve.levels)) - others);
+int mostMultiplicity(const SubdivisionCurve& curve, std::span<const int> indices) {
+    assert(!indices.empty());
+    auto others = static_cast<int>(controlPointCount(curve));
+    for (const int index : indices)
+        others -= curve.multiplicity[static_cast<std::size_t>(index)];
+    const int room = static_cast<int>(mostControlPoints(curve.levels)) - others;
+    return std::max(1, room / static_cast<int>(indices.size()));
 }
 
 SubdivisionCurve withMultiplicity(const SubdivisionCurve& curve, int index, int times) {

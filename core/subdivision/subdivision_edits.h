@@ -5,6 +5,7 @@
 #include "core/subdivision/subdivision.h"
 
 #include <optional>
+#include <span>
 
 /// The edits of a subdivision curve. Every sheet's curve has the same set, found by overloading; what follows that set
 /// is this sheet's own. Multiplicities follow their points; the blossom always keeps as many arguments as the degree:
@@ -40,8 +41,8 @@ namespace kriva {
 [[nodiscard]] std::size_t mostControlPoints(int levels);
 /// The most levels that a curve with so many control points may have.
 [[nodiscard]] int mostLevels(std::size_t controlPoints);
-/// The largest multiplicity that the point may have, the others being what they are; at least 1.
-[[nodiscard]] int mostMultiplicity(const SubdivisionCurve& curve, int index);
+/// The largest multiplicity that these points, at least one, may each have, the others being what they are; at least 1.
+[[nodiscard]] int mostMultiplicity(const SubdivisionCurve& curve, std::span<const int> indices);
 
 /// The point `index` stands so many times, at least once.
 [[nodiscard]] SubdivisionCurve withMultiplicity(const SubdivisionCurve& curve, int index, int times);

@@ -24,23 +24,31 @@ std::optional<Point> pointOf(const QStringList& cells) {
     return x && y ? std::optional(Point{*x, *y}) : std::nullopt;
 }
 
+std::optional<Points> pointsOf(const QStringList& lines, const QRegularExpression& separator) {
+    Points points;
+    for (const QString& line : lines) {
+        const std::optional<Point> point = pointOf(line.split(separator));
+        if (!point)
+            return {};
+        points.push_back(*point);
+    }
+    return points;
+}
+
 } // namespace
 
 std::optional<Points> pastedPoints(const QString& text) {
     static const QRegularExpression wideSeparator(QStringLiteral("\\s*[\\t;]\\s*|\\s+"));
-    Points points;
-    for (const QString& line : text.split(QLatin1Char('\n'))) {
-        const QString trimmed = line.trimmed();
-        if (trimmed.isEmpty())
-            continue;
-        std::optional<Point> point = pointOf(trimmed.split(wideSeparator));
-        if (!point)
-            point = pointOf(trimmed.split(QLatin1Char(',')));
-        if (!point || points.size() == limits::kPointsInCurve)
-            return {};
-        points.push_back(*point);
-    }
-    return points.empty() ? std::nullopt : std::optional(std::move(points));
+    static const QRegularExpression comma(QStringLiteral(","));
+    QStringList lines;
+    for (const QString& line : text.split(QLatin1Char('\n')))
+        if (const QString trimmed = line.trimmed(); !trimmed.isEmpty())
+            lines.append(trimmed);
+    if (lines.isEmpty() || lines.size() > static_cast<qsizetype>(limits::kPointsInCurve))
+        return {};
+    // One way of reading for the whole table: a comma is the decimal sign in all lines or the separator in all.
+    std::optional<Points> points = pointsOf(lines, wideSeparator);
+    return points ? points : pointsOf(lines, comma);
 }
 
 } // namespace kriva::ui

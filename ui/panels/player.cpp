@@ -88,8 +88,6 @@ QToolButton* Player::button(const char* name) {
 void Player::setLast(int last) {
     clock_.last = last;
     clock_.stage = std::min(clock_.stage, last);
-    if (last == 0)
-        pause();
     showState();
 }
 
@@ -151,6 +149,8 @@ void Player::showState() {
 void Player::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange)
         retranslateUi();
+    else if (event->type() == QEvent::EnabledChange && !isEnabled())
+        pause(); // there is nothing to play through
     QFrame::changeEvent(event);
 }
 

@@ -16,7 +16,7 @@ class Player : public QFrame {
   public:
     explicit Player(QWidget* parent = nullptr);
 
-    /// Stages from 0 to `last`; a player with one stage only is disabled.
+    /// Stages from 0 to `last`; a player with one stage only is disabled. A disabled player does not play.
     void setLast(int last);
     /// Shows a stage without telling anyone.
     void setStage(int stage);

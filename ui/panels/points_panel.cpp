@@ -46,6 +46,8 @@ PointsPanel::PointsPanel(SheetEditor& editor, const std::vector<PointColumn>& co
     , editor_(editor)
     , model_(editor, columns) {
     setObjectName(QStringLiteral("points"));
+    // Rows that go take their marks with them, which is no wish of a person. The view hears of it after this.
+    connect(&model_, &PointsModel::rowsAboutToBeRemoved, this, [this] { isShowingSelection_ = true; });
     setModel(&model_);
     setFrameShape(QFrame::NoFrame);
     setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -61,6 +63,13 @@ PointsPanel::PointsPanel(SheetEditor& editor, const std::vector<PointColumn>& co
     setItemDelegateForColumn(PointsModel::kY, coordinates);
     connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &PointsPanel::takeSelection);
     connect(&editor, &SheetEditor::selectionChanged, this, &PointsPanel::showSelection);
+    connect(&model_, &PointsModel::rowsRemoved, this, &PointsPanel::showSelection);
+    const auto ifMine = [this](SheetIndex sheet) {
+        if (sheet == editor_.index())
+            showSelection();
+    };
+    connect(&editor.document(), &OpenDocument::curvesChanged, this, ifMine);
+    connect(&editor.document(), &OpenDocument::viewChanged, this, ifMine);
     retranslateUi();
 }
 

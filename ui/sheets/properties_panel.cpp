@@ -14,6 +14,7 @@ PropertiesPanel::PropertiesPanel(SheetEditor& editor, QWidget* parent)
     layout_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
     layout_->setLabelAlignment(Qt::AlignLeft);
     connect(&editor.document(), &OpenDocument::replaced, this, &PropertiesPanel::showState);
+    connect(&editor.document(), &OpenDocument::refused, this, &PropertiesPanel::showState);
     const auto ifMine = [this](SheetIndex sheet) {
         if (sheet == editor_.index())
             showState();

@@ -15,6 +15,8 @@ SheetEditor::SheetEditor(OpenDocument& document, SheetIndex sheet, QObject* pare
     connect(&document, &OpenDocument::curveChanged, this, [this](SheetIndex changed, Serial serial) {
         if (changed != index_)
             return;
+        if (serial == stagedSerial_)
+            stage_.reset(); // it shows what was before
         dropLostSelection();
         Q_EMIT shownCurveChanged(serial);
     });
@@ -25,8 +27,8 @@ SheetEditor::SheetEditor(OpenDocument& document, SheetIndex sheet, QObject* pare
         dropLostSelection();
     });
     connect(&document, &OpenDocument::viewChanged, this, [this](SheetIndex changed) {
-        if (changed == index_)
-            stage_.reset(); // it stood in place of the curve that was active before
+        if (changed == index_ && activeSerial() != stagedSerial_)
+            stage_.reset();
     });
     connect(&document, &OpenDocument::replaced, this, [this] {
         stage_.reset();
@@ -49,6 +51,7 @@ void SheetEditor::setStage(std::optional<Curve> stage) {
     if (stage == stage_)
         return;
     stage_ = std::move(stage);
+    stagedSerial_ = activeSerial();
     Q_EMIT shownCurveChanged(activeSerial());
 }
 
@@ -124,17 +127,17 @@ void SheetEditor::addPoint(Point at) {
 }
 
 void SheetEditor::addPoints(std::span<const Point> points) {
-    if (!activeCurve())
-        newCurve();
-    const Serial serial = activeSerial();
-    Curve curve = *activeCurve();
+    const Curve* active = activeCurve();
+    Curve curve = active ? *active : emptyCurve(index_);
     for (const Point at : points)
         curve = withPointAdded(std::move(curve), at).curve;
     const StepLabel label = points.size() == 1 ? StepLabel{QT_TRANSLATE_NOOP("Step", "Add a point")}
                                                : StepLabel{QT_TRANSLATE_NOOP("Step", "Add points")};
     const int last = static_cast<int>(pointCount(curve)) - 1;
-    if (document_.change(index_, serial, std::move(curve), label))
-        select({{serial, {GripKind::point, last}}});
+    const bool isAdded = active ? document_.change(index_, activeSerial(), std::move(curve), label)
+                                : document_.add(index_, 0, std::move(curve), label).has_value();
+    if (isAdded)
+        select({{activeSerial(), {GripKind::point, last}}});
 }
 
 void SheetEditor::insertPoint(Serial serial, Point near) {
@@ -182,7 +185,13 @@ void SheetEditor::placePoint(int index, Point at) {
     if (!curve)
         return;
     const GripId id{GripKind::point, index};
-    change(withGripsMoved(*curve, std::span(&id, 1), at - pointAt(*curve, index)), moveLabel(id));
+    const std::span ids(&id, 1);
+    const Point from = pointAt(*curve, index);
+    // What is typed arrives bit for bit by way of zero: x - x + to is `to`, x + (to - x) need not be.
+    const bool changesX = at.x != from.x;
+    const bool changesY = at.y != from.y;
+    const Curve atZero = withGripsMoved(*curve, ids, {changesX ? -from.x : 0, changesY ? -from.y : 0});
+    change(withGripsMoved(atZero, ids, {changesX ? at.x : 0, changesY ? at.y : 0}), moveLabel(id));
 }
 
 void SheetEditor::nudge(Vector by) {

@@ -90,6 +90,7 @@ class SheetEditor : public QObject {
     SheetIndex index_;
     Selection selection_;
     std::optional<Curve> stage_;
+    Serial stagedSerial_ = 0; ///< in whose place the stage stands
     std::vector<GripId> draggedGrips_;
     std::optional<Point> pulledAt_; ///< where the curve itself is dragged
 };

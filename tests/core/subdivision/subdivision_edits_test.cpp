@@ -69,10 +69,10 @@ TEST(SubdivisionEdits, countTheControlPointsNotThePoints) {
     EXPECT_EQ(pointCount(curve), 3u);
     EXPECT_EQ(derivedPointCount(curve), 32u);
     EXPECT_EQ(mostPoints(curve), 200u);
-    EXPECT_EQ(mostMultiplicity(curve, 1), 199);
+    EXPECT_EQ(mostMultiplicity(curve, std::array{1}), 199);
     curve.levels = 16; // 30 * 2^16 = 1,966,080, 31 * 2^16 = 2,031,616
     EXPECT_EQ(mostPoints(curve), 29u);
-    EXPECT_EQ(mostMultiplicity(curve, 1), 28);
+    EXPECT_EQ(mostMultiplicity(curve, std::array{1}), 28);
     EXPECT_EQ(mostLevels(30), 16);
     EXPECT_EQ(mostLevels(31), 15);
     EXPECT_EQ(mostLevels(201), 13);

@@ -58,12 +58,14 @@ void CombinedProperties::showCurve() {
 
 void CombinedProperties::dropCorrections() {
     CombinedCurve changed = curve<CombinedCurve>();
-    const std::size_t before = changed.corrections.size();
+    std::vector<int> chosen;
     for (const GripRef& grip : editor().selection())
         if (grip.serial == editor().activeSerial() && grip.id.kind == GripKind::middle)
-            changed.corrections.erase(grip.id.index);
-    if (changed.corrections.size() == before)
+            chosen.push_back(grip.id.index);
+    if (chosen.empty())
         changed.corrections.clear();
+    for (const int pair : chosen)
+        changed.corrections.erase(pair);
     editor().change(std::move(changed), {QT_TRANSLATE_NOOP("Step", "Back to automatic")});
 }
 

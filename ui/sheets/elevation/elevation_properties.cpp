@@ -37,6 +37,7 @@ ElevationProperties::ElevationProperties(SheetEditor& editor, QWidget* parent)
              return withTimes(curve, static_cast<int>(degree) - degreeOf(std::get<ElevationCurve>(curve)));
          },
          {QT_TRANSLATE_NOOP("Step", "Raise the degree")});
+    connect(degree_, &SliderField::dragEnded, this, &ElevationProperties::showState);
     addHeading(QT_TRANSLATE_NOOP("Properties", "Animation"));
     addWide(player_);
     connect(player_, &Player::stageChanged, this, &ElevationProperties::showStage);
@@ -47,13 +48,12 @@ ElevationProperties::ElevationProperties(SheetEditor& editor, QWidget* parent)
 void ElevationProperties::showCurve() {
     const auto& value = curve<ElevationCurve>();
     setEnabled(!isIncomplete(value));
-    if (isIncomplete(value)) {
-        player_->pause();
+    if (isIncomplete(value))
         return;
-    }
     const int degree = degreeOf(value);
     degree_->setRange({static_cast<double>(degree), static_cast<double>(degree + limits::kElevations), false, true});
-    degree_->setSlider(degree, degree + shownElevations(value), 1);
+    if (!degree_->slider()->isSliderDown()) // the way of a handle that is held keeps its length
+        degree_->setSlider(degree, degree + shownElevations(value), 1);
     degree_->setValue(degree + value.times);
     player_->setLast(shownElevations(value));
     if (!editor().hasStage())

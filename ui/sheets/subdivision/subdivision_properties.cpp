@@ -1,6 +1,5 @@
 #include "ui/sheets/subdivision/subdivision_properties.h"
 
-#include "core/document/limits.h"
 #include "core/subdivision/subdivision_edits.h"
 #include "ui/sheets/subdivision/blossom_text.h"
 
@@ -68,7 +67,9 @@ void SubdivisionProperties::makeBlossom() {
         std::optional<std::vector<double>> arguments;
         if (on)
             arguments.emplace(controlPointCount(value) - 1, value.t);
-        editor().change(withBlossom(value, std::move(arguments)), {QT_TRANSLATE_NOOP("Step", "Show the blossom")});
+        editor().change(withBlossom(value, std::move(arguments)),
+                        on ? StepLabel{QT_TRANSLATE_NOOP("Step", "Show the blossom")}
+                           : StepLabel{QT_TRANSLATE_NOOP("Step", "Hide the blossom")});
     });
     connect(blossom_, &QLineEdit::editingFinished, this, &SubdivisionProperties::takeBlossom);
 }
@@ -117,10 +118,8 @@ void SubdivisionProperties::showMultiplicity() {
     const std::vector<int> points = editor().selectedPoints();
     const auto& value = curve<SubdivisionCurve>();
     multiplicity_->setEnabled(!points.empty());
-    int most = static_cast<int>(limits::kControlPoints);
-    for (const int point : points)
-        most = std::min(most, mostMultiplicity(value, point));
-    multiplicity_->setRange({1, static_cast<double>(most), false, true});
+    if (!points.empty())
+        multiplicity_->setRange({1, static_cast<double>(mostMultiplicity(value, points)), false, true});
     multiplicity_->setValue(points.empty() ? 1 : value.multiplicity[static_cast<std::size_t>(points.front())]);
 }
 

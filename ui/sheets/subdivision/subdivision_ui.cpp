@@ -8,20 +8,21 @@ namespace kriva::ui {
 namespace {
 
 PointColumn multiplicityColumn() {
-    return {QT_TRANSLATE_NOOP("PointColumn", "Multiplicity"),
-            [](const Curve& curve, int point) {
-                const auto& value = std::get<SubdivisionCurve>(curve);
-                return QString::number(value.multiplicity[static_cast<std::size_t>(point)]);
-            },
-            [](const Curve& curve, int point, const QString& text) -> std::optional<Curve> {
-                const auto& value = std::get<SubdivisionCurve>(curve);
-                const std::optional<double> times = parseNumber(text);
-                const NumberRange range{1, static_cast<double>(mostMultiplicity(value, point)), false, true};
-                if (!times || !range.contains(*times))
-                    return {};
-                return withMultiplicity(value, point, static_cast<int>(*times));
-            },
-            {QT_TRANSLATE_NOOP("Step", "Set the multiplicity")}};
+    return {
+        QT_TRANSLATE_NOOP("PointColumn", "Multiplicity"),
+        [](const Curve& curve, int point) {
+            const auto& value = std::get<SubdivisionCurve>(curve);
+            return QString::number(value.multiplicity[static_cast<std::size_t>(point)]);
+        },
+        [](const Curve& curve, int point, const QString& text) -> std::optional<Curve> {
+            const auto& value = std::get<SubdivisionCurve>(curve);
+            const std::optional<double> times = parseNumber(text);
+            const NumberRange range{1, static_cast<double>(mostMultiplicity(value, std::span(&point, 1))), false, true};
+            if (!times || !range.contains(*times))
+                return {};
+            return withMultiplicity(value, point, static_cast<int>(*times));
+        },
+        {QT_TRANSLATE_NOOP("Step", "Set the multiplicity")}};
 }
 
 } // namespace

@@ -1,0 +1,83 @@
+#include "tests/support/panel_test.h"
+#include "ui/panels/player.h"
+#include "ui/panels/result_text.h"
+#include "ui/panels/results_panel.h"
+
+namespace kriva::ui {
+namespace {
+
+using Rows = std::vector<std::pair<QString, QString>>;
+
+class ResultsPanelTest : public test::PanelTest {
+  protected:
+    explicit ResultsPanelTest(SheetIndex sheet = 0)
+        : PanelTest(sheet) {}
+    [[nodiscard]] Rows rows() {
+        QApplication::processEvents();
+        Rows shown;
+        for (int row = 0; row < table.topLevelItemCount(); ++row)
+            shown.emplace_back(table.topLevelItem(row)->text(0), table.topLevelItem(row)->text(1));
+        return shown;
+    }
+    static Rows rowsOf(const Curve& curve) {
+        Rows expected;
+        for (const Result& result : results(curve))
+            expected.emplace_back(resultName(result), resultValue(result, 10));
+        return expected;
+    }
+
+    ResultsPanel& table = panel<ResultsPanel>();
+};
+
+class ResultsInEachTab : public ResultsPanelTest, public testing::WithParamInterface<SheetIndex> {
+  protected:
+    ResultsInEachTab()
+        : ResultsPanelTest(GetParam()) {}
+};
+
+TEST_P(ResultsInEachTab, areThoseOfTheActiveCurveAndFollowADrag) {
+    const Rows before = rows();
+    EXPECT_FALSE(before.empty());
+    EXPECT_EQ(before, rowsOf(curve()));
+    const QPoint start = test::pixelOf(tab, 1);
+    QTest::mousePress(tab.canvas().viewport(), Qt::LeftButton, {}, start);
+    QTest::mouseMove(tab.canvas().viewport(), start + QPoint(7, 20));
+    QTest::mouseMove(tab.canvas().viewport(), start + QPoint(12, 30));
+    EXPECT_NE(rows(), before);
+    EXPECT_EQ(rows(), rowsOf(curve()));
+    QTest::keyClick(tab.canvas().viewport(), Qt::Key_Escape);
+    EXPECT_EQ(rows(), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(Tabs, ResultsInEachTab, testing::Range<SheetIndex>(0, kSheetCount));
+
+TEST_F(ResultsPanelTest, areThoseOfTheStageOnView) {
+    const Rows before = rows();
+    tab.findChild<Player*>()->tick();
+    const Rows stage = rows();
+    EXPECT_NE(stage, before);
+    EXPECT_EQ(stage, rowsOf(*editor().shown(editor().activeSerial())));
+    editor().setStage({});
+    EXPECT_EQ(rows(), before);
+}
+
+TEST_F(ResultsPanelTest, followTheChoiceOfACurveAndOfALanguage) {
+    open({curve(), ElevationCurve{"", {{0, 0}, {1, 1.5}}, 2, {}, {}}});
+    document().setActiveCurve(0, document().serials(0)[1]);
+    EXPECT_EQ(rows(), rowsOf(editor().sheet().curves[1]));
+    const Rows english = rows();
+    shell.language.setLanguage(Language::Slovenian);
+    QApplication::processEvents();
+    EXPECT_NE(rows(), english);
+    EXPECT_EQ(rows(), rowsOf(editor().sheet().curves[1]));
+}
+
+TEST_F(ResultsPanelTest, areEmptyWithoutACurveAndSayThatOneIsIncomplete) {
+    editor().clear();
+    EXPECT_EQ(rows(), Rows());
+    editor().addPoint({1, 2});
+    EXPECT_EQ(rows().size(), 1U);
+}
+
+} // namespace
+} // namespace kriva::ui

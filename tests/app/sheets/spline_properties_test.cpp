@@ -1,0 +1,137 @@
+#include "core/spline/chain_edits.h"
+#include "core/spline/joins.h"
+#include "tests/support/panel_test.h"
+#include "ui/sheets/properties_panel.h"
+
+namespace kriva::ui {
+namespace {
+
+using test::click;
+using test::dragHandle;
+using test::named;
+using test::type;
+
+class SplinePropertiesTest : public test::PanelTest {
+  protected:
+    SplinePropertiesTest()
+        : PanelTest(2) {}
+
+    PropertiesPanel& properties = panel<PropertiesPanel>();
+    QComboBox& rule = named<QComboBox>(properties, "Rule");
+    QComboBox& join = named<QComboBox>(properties, "Join");
+    QSlider& slider = named<QSlider>(properties, "Degree");
+    NumberField& degree = named<NumberField>(properties, "Degree");
+    QWidget& start = named<QWidget>(properties, "Start"); ///< the row of the start derivative
+    QWidget& end = named<QWidget>(properties, "End");
+    QCheckBox& closed = *properties.findChild<QCheckBox*>(QString(), Qt::FindDirectChildrenOnly);
+    const SplineCurve before = value<SplineCurve>(); // a natural cubic spline of six knots
+};
+
+TEST_F(SplinePropertiesTest, theRuleIsSetInOneStep) {
+    QTest::keyClick(&rule, Qt::Key_Down);
+    expectOneStep("Set the rule", before, withRule(before, SplineCurve::Rule::clamped));
+    EXPECT_EQ(rule.currentText(), QStringLiteral("Natural"));
+}
+
+TEST_F(SplinePropertiesTest, theDegreeIsSetInOneStepByHandleButtonsOrTyping) {
+    dragHandle(slider, slider.width());
+    expectOneStep("Set the degree", before, withDegree(before, 5));
+    click(named<QToolButton>(*slider.parentWidget(), "More"));
+    click(named<QToolButton>(*slider.parentWidget(), "More"));
+    expectOneStep("Set the degree", before, withDegree(before, 5));
+    type(degree, "4");
+    expectOneStep("Set the degree", before, withDegree(before, 4));
+    EXPECT_EQ(degree.value(), 3);
+}
+
+TEST_F(SplinePropertiesTest, refusedDegreesChangeNothing) {
+    for (const char* text : {"1", "6", "2,5", "cubic"})
+        type(degree, text);
+    expectNoStep(before);
+}
+
+TEST_F(SplinePropertiesTest, parabolasHaveNeitherRuleNorJoins) {
+    selectPoints({1});
+    EXPECT_TRUE(join.isEnabled());
+    type(degree, "2");
+    EXPECT_FALSE(rule.isEnabled());
+    EXPECT_FALSE(join.isEnabled());
+    document().undo();
+    EXPECT_TRUE(rule.isEnabled());
+    EXPECT_TRUE(join.isEnabled());
+}
+
+TEST_F(SplinePropertiesTest, closesAndOpensInOneStepEach) {
+    click(closed);
+    expectOneStep("Close the curve", before, withClosed(before, true));
+    EXPECT_FALSE(closed.isChecked());
+    open({withClosed(before, true)});
+    EXPECT_TRUE(closed.isChecked());
+    click(closed);
+    expectOneStep("Open the curve", withClosed(before, true), before);
+}
+
+TEST_F(SplinePropertiesTest, theJoinIsThatOfTheSelectedKnots) {
+    EXPECT_FALSE(join.isEnabled());
+    selectPoints({1, 3});
+    QTest::keyClick(&join, Qt::Key_End);
+    const std::vector<int> knots{1, 3};
+    expectOneStep("Set the join", before, withJoin(before, knots, SplineKnot::Join::corner));
+    EXPECT_EQ(join.currentText(), QStringLiteral("Automatic"));
+    EXPECT_EQ(editor().selectedPoints(), knots);
+}
+
+TEST_F(SplinePropertiesTest, endDerivativesAreAskedForWhereTheChainIsClamped) {
+    for (QWidget* row : {&start, &end})
+        EXPECT_FALSE(row->findChild<QCheckBox*>()->isEnabled());
+    QTest::keyClick(&rule, Qt::Key_Down);
+    for (QWidget* row : {&start, &end})
+        EXPECT_TRUE(row->findChild<QCheckBox*>()->isEnabled());
+    click(closed);
+    for (QWidget* row : {&start, &end})
+        EXPECT_FALSE(row->findChild<QCheckBox*>()->isEnabled());
+}
+
+TEST_F(SplinePropertiesTest, anEndDerivativeIsGivenAndTakenBackInOneStepEach) {
+    const SplineCurve clamped = withRule(before, SplineCurve::Rule::clamped);
+    open({clamped});
+    const EndDerivatives natural = endDerivatives(clamped, knotHandles(clamped));
+    click(*start.findChild<QCheckBox*>());
+    const SplineCurve given = withEndDerivatives(clamped, natural.start, {});
+    expectOneStep("Change the start derivative", clamped, given);
+    click(*end.findChild<QCheckBox*>());
+    expectOneStep("Change the end derivative", clamped, withEndDerivatives(clamped, {}, natural.end));
+    open({given});
+    click(*start.findChild<QCheckBox*>());
+    expectOneStep("Change the start derivative", given, clamped);
+}
+
+TEST_F(SplinePropertiesTest, aTypedCoordinateOfAnEndDerivativeChangesNoOther) {
+    const SplineCurve given =
+        withEndDerivatives(withRule(before, SplineCurve::Rule::clamped), Vector{1.0 / 3, 2}, Vector{0.1, 0.7});
+    open({given});
+    type(named<NumberField>(start, "y"), "2,5");
+    expectOneStep("Change the start derivative", given,
+                  withEndDerivatives(given, Vector{1.0 / 3, 2.5}, Vector{0.1, 0.7}));
+    type(named<NumberField>(end, "x"), "-0.5");
+    expectOneStep("Change the end derivative", given, withEndDerivatives(given, Vector{1.0 / 3, 2}, Vector{-0.5, 0.7}));
+    type(named<NumberField>(end, "x"), "2e9");
+    EXPECT_TRUE(curve() == Curve(given));
+}
+
+TEST_F(SplinePropertiesTest, isDisabledInAnEmptySheetAndShowsAHalfDrawnChain) {
+    editor().clear();
+    EXPECT_FALSE(rule.isEnabled());
+    EXPECT_FALSE(closed.isEnabled());
+    editor().addPoint({1, 1});
+    EXPECT_TRUE(rule.isEnabled());
+    QTest::keyClick(&rule, Qt::Key_Down);
+    QTest::keyClick(&rule, Qt::Key_Down);
+    EXPECT_EQ(value<SplineCurve>().rule, SplineCurve::Rule::clamped);
+    EXPECT_EQ(named<NumberField>(start, "x").value(), 0);
+    click(closed);
+    EXPECT_TRUE(value<SplineCurve>().closed);
+}
+
+} // namespace
+} // namespace kriva::ui

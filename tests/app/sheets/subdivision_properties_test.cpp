@@ -1,0 +1,184 @@
+#include "tests/support/panel_test.h"
+#include "ui/panels/player.h"
+#include "ui/sheets/properties_panel.h"
+
+#include <QSignalSpy>
+
+namespace kriva::ui {
+namespace {
+
+using test::click;
+using test::dragHandle;
+using test::named;
+using test::type;
+
+class SubdivisionPropertiesTest : public test::PanelTest {
+  protected:
+    SubdivisionPropertiesTest()
+        : PanelTest(1) {}
+    [[nodiscard]] QCheckBox& box(const char* text) {
+        for (QCheckBox* found : properties.findChildren<QCheckBox*>())
+            if (found->text() == QLatin1String(text))
+                return *found;
+        throw std::runtime_error(std::string("no box says ") + text);
+    }
+
+    PropertiesPanel& properties = panel<PropertiesPanel>();
+    NumberField& t = named<NumberField>(properties, "Parameter t");
+    NumberField& levels = named<NumberField>(properties, "Levels");
+    NumberField& multiplicity = named<NumberField>(properties, "Multiplicity of the selected point");
+    QLineEdit& arguments = named<QLineEdit>(properties, "Arguments");
+    const SubdivisionCurve before = value<SubdivisionCurve>(); // a cubic cut once at t = 0.4
+};
+
+TEST_F(SubdivisionPropertiesTest, aDragOfTIsOneStep) {
+    dragHandle(named<QSlider>(properties, "Parameter t"), -20);
+    SubdivisionCurve after = before;
+    after.t = t.value();
+    EXPECT_LT(after.t, 0.4);
+    expectOneStep("Set the parameter t", before, after);
+    EXPECT_EQ(t.value(), 0.4);
+}
+
+TEST_F(SubdivisionPropertiesTest, clicksOnTheButtonsOfTAreOneStepInABurst) {
+    QToolButton& more = named<QToolButton>(*t.parentWidget(), "More");
+    click(more);
+    click(more);
+    SubdivisionCurve after = before;
+    after.t = 0.42;
+    expectOneStep("Set the parameter t", before, after);
+}
+
+TEST_F(SubdivisionPropertiesTest, pointAndCommaSetTAlike) {
+    for (const char* text : {"0,125", "0.125"}) {
+        type(t, text);
+        SubdivisionCurve after = before;
+        after.t = 0.125;
+        expectOneStep("Set the parameter t", before, after);
+    }
+}
+
+TEST_F(SubdivisionPropertiesTest, refusedNumbersChangeNothing) {
+    for (const char* text : {"0", "1", "1,5", "-0.5", "half"})
+        type(t, text);
+    for (const char* text : {"-1", "17", "1,5"})
+        type(levels, text);
+    selectPoints({1});
+    for (const char* text : {"0", "199", "1,5"})
+        type(multiplicity, text);
+    expectNoStep(before);
+}
+
+TEST_F(SubdivisionPropertiesTest, levelsAreSetInOneStep) {
+    SubdivisionCurve after = before;
+    after.levels = 3;
+    type(levels, "3");
+    expectOneStep("Set the levels", before, after);
+    click(named<QToolButton>(*levels.parentWidget(), "More"));
+    after.levels = 2;
+    expectOneStep("Set the levels", before, after);
+    EXPECT_EQ(levels.value(), 1);
+}
+
+TEST_F(SubdivisionPropertiesTest, showingTheCurveIsNoChange) {
+    QCheckBox& shows = box("Show the curve");
+    EXPECT_FALSE(shows.isChecked());
+    click(shows);
+    EXPECT_TRUE(editor().sheet().view.layers.at("curve"));
+    expectNoStep(before);
+    EXPECT_FALSE(document().isModified());
+    document().setLayerShown(1, "curve", false);
+    EXPECT_FALSE(shows.isChecked());
+}
+
+TEST_F(SubdivisionPropertiesTest, theMultiplicityIsThatOfTheSelectedPoints) {
+    EXPECT_FALSE(multiplicity.isEnabled());
+    selectPoints({1, 2});
+    EXPECT_TRUE(multiplicity.isEnabled());
+    type(multiplicity, "3");
+    SubdivisionCurve after = before;
+    after.multiplicity = {1, 3, 3, 1};
+    expectOneStep("Set the multiplicity", before, after);
+    EXPECT_EQ(multiplicity.value(), 1);
+}
+
+TEST_F(SubdivisionPropertiesTest, manySelectedPointsStandOnlyAsOftenAsTheCurveHasRoomForAll) {
+    selectPoints({0, 1, 2, 3});
+    type(multiplicity, "51"); // 204 control points
+    expectNoStep(before);
+    EXPECT_FALSE(multiplicity.accessibleDescription().isEmpty());
+    type(multiplicity, "50");
+    SubdivisionCurve after = before;
+    after.multiplicity = {50, 50, 50, 50};
+    expectOneStep("Set the multiplicity", before, after);
+}
+
+TEST_F(SubdivisionPropertiesTest, theBlossomComesAndGoesInOneStepEach) {
+    EXPECT_FALSE(arguments.isEnabled());
+    click(box("Show the blossom"));
+    SubdivisionCurve after = before;
+    after.blossom = {0.4, 0.4, 0.4};
+    EXPECT_EQ(arguments.text(), QStringLiteral("0.4; 0.4; 0.4"));
+    expectOneStep("Show the blossom", before, after);
+    EXPECT_FALSE(box("Show the blossom").isChecked());
+    open({after});
+    click(box("Show the blossom"));
+    expectOneStep("Hide the blossom", after, before);
+    EXPECT_TRUE(box("Show the blossom").isChecked());
+}
+
+TEST_F(SubdivisionPropertiesTest, theBlossomTakesAsManyArgumentsAsTheDegree) {
+    SubdivisionCurve with = before;
+    with.blossom = {0.25, 0.5, 0.75};
+    open({with});
+    SubdivisionCurve after = with;
+    after.blossom = {0.1, 0.2, -3};
+    type(arguments, "0,1; 0.2 -3");
+    expectOneStep("Set the blossom", with, after);
+    const QSignalSpy hints(&editor(), &SheetEditor::hint);
+    for (const char* text : {"0.5 0.5", "1 2 3 4", "a b c", "2e9 0 0", ""}) {
+        type(arguments, text);
+        EXPECT_EQ(arguments.text(), QStringLiteral("0.25; 0.5; 0.75")) << text;
+    }
+    EXPECT_EQ(hints.count(), 5);
+    EXPECT_TRUE(curve() == Curve(with));
+}
+
+TEST_F(SubdivisionPropertiesTest, isDisabledInAnEmptySheetAndShowsAHalfDrawnCurve) {
+    editor().clear();
+    for (const QWidget* field : std::initializer_list<QWidget*>{&t, &levels, &multiplicity, &arguments})
+        EXPECT_FALSE(field->isEnabled());
+    editor().addPoint({1, 1});
+    EXPECT_TRUE(t.isEnabled());
+    EXPECT_FALSE(box("Show the blossom").isEnabled());
+}
+
+TEST_F(SubdivisionPropertiesTest, theAnimationRunsOverTOrOverLevelsAndIsKeptInOneStep) {
+    auto& player = *properties.findChild<Player*>();
+    QToolButton& keep = *player.findChild<QToolButton*>(QStringLiteral("keep"));
+    player.tick();
+    expectNoStep(before);
+    click(keep);
+    SubdivisionCurve after = before;
+    after.t = 0.41;
+    expectOneStep("Keep the stage", before, after);
+    QTest::keyClick(&named<QComboBox>(properties, "Runs over"), Qt::Key_Down);
+    EXPECT_EQ(player.stage(), 1);
+    player.tick();
+    player.tick();
+    click(keep);
+    after = before;
+    after.levels = 3;
+    expectOneStep("Keep the stage", before, after);
+}
+
+TEST_F(SubdivisionPropertiesTest, theAnimationStopsWhereItsCurveGoes) {
+    auto& player = *properties.findChild<Player*>();
+    click(*player.findChild<QToolButton*>(QStringLiteral("play")));
+    EXPECT_TRUE(player.isPlaying());
+    editor().clear();
+    EXPECT_FALSE(player.isPlaying());
+}
+
+} // namespace
+} // namespace kriva::ui

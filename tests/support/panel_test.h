@@ -1,0 +1,128 @@
+#pragma once
+
+#include "tests/support/test_window.h"
+#include "ui/panels/number_field.h"
+
+#include <gtest/gtest.h>
+#include <QCheckBox>
+#include <QDockWidget>
+#include <QSlider>
+#include <QStyleOptionSlider>
+
+#include <stdexcept>
+
+namespace kriva::test {
+
+/// The first widget of a kind that screen readers call by `name`; the test ends where there is none.
+template <class W>
+W& named(QWidget& parent, const char* name) {
+    for (W* widget : parent.findChildren<W*>())
+        if (widget->accessibleName() == QLatin1String(name))
+            return *widget;
+    throw std::runtime_error(std::string("no widget is called ") + name);
+}
+
+inline void click(QWidget& widget) {
+    QTest::mouseClick(&widget, Qt::LeftButton);
+}
+/// On its square: a wide box is empty in the middle.
+inline void click(QCheckBox& box) {
+    QTest::mouseClick(&box, Qt::LeftButton, {}, {box.height() / 2, box.height() / 2});
+}
+
+/// Replaces the text as a person does: mark all, type, Enter.
+inline void type(QLineEdit& field, const char* text) {
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClick(&field, Qt::Key_Delete);
+    QTest::keyClicks(&field, QString::fromUtf8(text));
+    QTest::keyClick(&field, Qt::Key_Return);
+    QApplication::processEvents();
+}
+
+inline QPoint handleOf(const QSlider& slider) {
+    QStyleOptionSlider option;
+    option.initFrom(&slider);
+    option.orientation = slider.orientation();
+    option.minimum = slider.minimum();
+    option.maximum = slider.maximum();
+    option.sliderPosition = slider.sliderPosition();
+    option.sliderValue = slider.value();
+    return slider.style()->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, &slider).center();
+}
+
+/// Drags the handle sideways, pixel by pixel.
+inline void dragHandle(QSlider& slider, int pixels) {
+    const QPoint start = handleOf(slider);
+    QTest::mousePress(&slider, Qt::LeftButton, {}, start);
+    const int way = pixels < 0 ? -1 : 1;
+    for (int x = way; x != pixels + way; x += way)
+        QTest::mouseMove(&slider, start + QPoint(x, 0));
+    QTest::mouseRelease(&slider, Qt::LeftButton, {}, start + QPoint(pixels, 0));
+}
+
+/// One tab of the real window and the panels in it.
+class PanelTest : public testing::Test {
+  protected:
+    explicit PanelTest(SheetIndex sheet)
+        : sheet_(sheet)
+        , tab(shell.shown(sheet)) {}
+
+    /// Shows a document with these curves in the tab's sheet alone.
+    void open(std::vector<Curve> curves) {
+        Document document;
+        document.active = sheet_;
+        document.sheets[sheet_].curves = std::move(curves);
+        shell.window.session().show(document);
+        QApplication::processEvents();
+    }
+    /// The tab's panel of that kind, in front of its neighbours.
+    template <class P>
+    P& panel() {
+        auto* found = tab.findChild<P*>();
+        for (QWidget* parent = found; parent; parent = parent->parentWidget())
+            if (auto* dock = qobject_cast<QDockWidget*>(parent))
+                dock->raise();
+        QApplication::processEvents();
+        return *found;
+    }
+
+    [[nodiscard]] ui::OpenDocument& document() { return shell.window.document(); }
+    [[nodiscard]] ui::SheetEditor& editor() { return tab.editor(); }
+    [[nodiscard]] const Curve& curve() { return *editor().activeCurve(); }
+    template <class C>
+    [[nodiscard]] C value() {
+        return std::get<C>(curve());
+    }
+    void selectPoints(const std::vector<int>& points) {
+        ui::Selection selection;
+        for (const int point : points)
+            selection.insert({editor().activeSerial(), {GripKind::point, point}});
+        editor().select(selection);
+    }
+    [[nodiscard]] QStringList steps() {
+        document().endGesture();
+        QStringList texts;
+        for (int i = 0; i < document().history(sheet_).index(); ++i)
+            texts.append(ui::resolvedStep(document().history(sheet_).text(i)));
+        return texts;
+    }
+    /// One step of that name led from `before` to `after` and to nothing else; undo takes all of it back.
+    void expectOneStep(const char* name, const Curve& before, const Curve& after) {
+        EXPECT_EQ(steps(), QStringList(QString::fromUtf8(name)));
+        EXPECT_TRUE(curve() == after);
+        document().undo();
+        EXPECT_TRUE(curve() == before);
+    }
+    /// Nothing happened.
+    void expectNoStep(const Curve& before) {
+        EXPECT_EQ(steps(), QStringList());
+        EXPECT_TRUE(curve() == before);
+    }
+
+    const SheetIndex sheet_;
+    TestWindow shell;
+    ui::SheetTab& tab;
+};
+
+} // namespace kriva::test
