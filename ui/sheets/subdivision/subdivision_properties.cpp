@@ -2,6 +2,7 @@
 
 #include "core/subdivision/subdivision_edits.h"
 #include "ui/sheets/subdivision/blossom_text.h"
+#include "ui/shell/number_text.h"
 
 #include <QSignalBlocker>
 
@@ -148,7 +149,7 @@ void SubdivisionProperties::takeBlossom() {
 
 Curve SubdivisionProperties::stageCurve(int stage) const {
     const auto& value = curve<SubdivisionCurve>();
-    return played() == Played::t ? withT(value, (stage + 1) * kStepOfT) : withLevels(value, stage);
+    return played() == Played::t ? withT(value, stepped(kStepOfT, stage * kStepOfT)) : withLevels(value, stage);
 }
 
 void SubdivisionProperties::showStage(int stage) {
