@@ -29,6 +29,11 @@ inline void click(QWidget& widget) {
 inline void click(QCheckBox& box) {
     QTest::mouseClick(&box, Qt::LeftButton, {}, {box.height() / 2, box.height() / 2});
 }
+/// As a person does it: an item view wants the first press of the two as well.
+inline void doubleClick(QWidget& widget, QPoint at) {
+    QTest::mouseClick(&widget, Qt::LeftButton, {}, at);
+    QTest::mouseDClick(&widget, Qt::LeftButton, {}, at);
+}
 
 /// Replaces the text as a person does: mark all, type, Enter.
 inline void type(QLineEdit& field, const char* text) {

@@ -57,7 +57,7 @@ TEST_F(CurvesPanelTest, aChosenRowIsTheActiveCurve) {
 }
 
 TEST_F(CurvesPanelTest, renamesInOneStep) {
-    QTest::mouseDClick(list.viewport(), Qt::LeftButton, {}, list.visualRect(index(1)).center());
+    test::doubleClick(*list.viewport(), list.visualRect(index(1)).center());
     auto* field = list.viewport()->findChild<QLineEdit*>();
     ASSERT_NE(field, nullptr);
     EXPECT_EQ(field->text(), QString()); // the number is no name

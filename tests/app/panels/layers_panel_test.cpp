@@ -13,9 +13,9 @@ class LayersPanelTest : public test::PanelTest {
         return tab.canvas().viewport()->grab().toImage();
     }
     [[nodiscard]] int row(std::string_view layer) {
-        const auto layers = layersOf(0);
-        const auto found = std::ranges::find(layers, layer, &LayerInfo::name);
-        return static_cast<int>(found - layers.begin());
+        const auto infos = layersOf(0);
+        const auto found = std::ranges::find(infos, layer, &LayerInfo::name);
+        return static_cast<int>(found - infos.begin());
     }
     [[nodiscard]] bool isInFigure(std::string_view layer) {
         const Figure figure = figureOf(editor().sheet(), 0);

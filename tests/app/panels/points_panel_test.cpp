@@ -21,7 +21,7 @@ class PointsPanelTest : public test::PanelTest {
     }
     /// Double-clicks a cell, types and presses Enter.
     void edit(int row, int column, const char* text) {
-        QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, cell(row, column));
+        test::doubleClick(*table.viewport(), cell(row, column));
         auto* field = table.viewport()->findChild<QLineEdit*>();
         ASSERT_NE(field, nullptr);
         type(*field, text);
