@@ -89,13 +89,8 @@ bool OpenDocument::change(SheetIndex sheet, Serial serial, Curve curve, const St
 }
 
 std::optional<Serial> OpenDocument::add(SheetIndex sheet, int index, Curve curve, const StepLabel& label) {
+    const std::optional<Serial> serial = beginGestureWithNew(sheet, index, std::move(curve), label);
     endGesture();
-    if (!isWithinLimits(sheet, {}, curve))
-        return {};
-    const Serial serial = ++lastSerial_;
-    exchange(sheet, serial, PlacedCurve{std::move(curve), index});
-    push(sheet, serial, std::nullopt, label);
-    setActiveCurve(sheet, serial);
     return serial;
 }
 
@@ -115,7 +110,19 @@ void OpenDocument::reorder(SheetIndex sheet, Serial serial, int index, const Ste
 void OpenDocument::beginGesture(SheetIndex sheet, Serial serial, const StepLabel& label) {
     endGesture();
     if (const Curve* curve = find(sheet, serial))
-        gesture_ = Gesture{sheet, serial, label, *curve, false};
+        gesture_ = Gesture{sheet, serial, label, *curve};
+}
+
+std::optional<Serial> OpenDocument::beginGestureWithNew(SheetIndex sheet, int index, Curve curve,
+                                                        const StepLabel& label) {
+    endGesture();
+    if (!isWithinLimits(sheet, {}, curve))
+        return {};
+    const Serial serial = ++lastSerial_;
+    gesture_ = Gesture{sheet, serial, label, curve, true};
+    exchange(sheet, serial, PlacedCurve{std::move(curve), index});
+    setActiveCurve(sheet, serial);
+    return serial;
 }
 
 void OpenDocument::preview(Curve curve) {
@@ -134,7 +141,9 @@ void OpenDocument::endGesture() {
         return;
     const Gesture gesture = *std::exchange(gesture_, std::nullopt);
     const int index = *indexOf(gesture.sheet, gesture.serial);
-    if (value_.sheets[gesture.sheet].curves[static_cast<std::size_t>(index)] != gesture.start)
+    if (gesture.isNew)
+        push(gesture.sheet, gesture.serial, std::nullopt, gesture.label);
+    else if (value_.sheets[gesture.sheet].curves[static_cast<std::size_t>(index)] != gesture.start)
         push(gesture.sheet, gesture.serial, PlacedCurve{gesture.start, index}, gesture.label);
 }
 
@@ -144,7 +153,9 @@ void OpenDocument::cancelGesture() {
         return;
     Gesture gesture = *std::exchange(gesture_, std::nullopt);
     const int index = *indexOf(gesture.sheet, gesture.serial);
-    if (value_.sheets[gesture.sheet].curves[static_cast<std::size_t>(index)] != gesture.start)
+    if (gesture.isNew)
+        exchange(gesture.sheet, gesture.serial, std::nullopt);
+    else if (value_.sheets[gesture.sheet].curves[static_cast<std::size_t>(index)] != gesture.start)
         put(gesture.sheet, index, std::move(gesture.start));
 }
 

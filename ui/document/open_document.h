@@ -46,6 +46,9 @@ class OpenDocument : public QObject {
 
     // A gesture shows previews and becomes one step when it ends, or none where nothing differs from its beginning.
     void beginGesture(SheetIndex sheet, Serial serial, const StepLabel& label);
+    /// A gesture that draws a new curve: it becomes the active one, and is gone again where the gesture is cancelled.
+    /// Gives its serial, nothing where it is refused.
+    std::optional<Serial> beginGestureWithNew(SheetIndex sheet, int index, Curve curve, const StepLabel& label);
     void preview(Curve curve);
     void endGesture();
     void cancelGesture();
@@ -89,7 +92,8 @@ class OpenDocument : public QObject {
         Serial serial;
         StepLabel label;
         Curve start;
-        bool isBurst;
+        bool isNew = false; ///< the curve was not there before
+        bool isBurst = false;
     };
 
     /// Puts `other` in place of the curve, or takes it out, and gives what was there.

@@ -80,6 +80,25 @@ TEST_F(OpenDocumentTest, aCancelledGestureLosesNeitherRedoNorTheSavedState) {
     EXPECT_EQ(curve(), withFirstAt({1, 1}));
 }
 
+TEST_F(OpenDocumentTest, aGestureThatDrawsANewCurveIsOneStepOrNone) {
+    document.remove(kElevation, serial, {"Delete the curve"});
+    const Serial drawn = *document.beginGestureWithNew(kElevation, 0, arch(), {"New curve"});
+    EXPECT_EQ(document.activeCurve(kElevation), drawn);
+    document.preview(withFirstAt({2, 1}));
+    document.cancelGesture();
+    EXPECT_EQ(document.find(kElevation, drawn), nullptr);
+    EXPECT_EQ(steps(), 1);
+    serial = *document.beginGestureWithNew(kElevation, 0, arch(), {"New curve"});
+    document.preview(withFirstAt({2, 1}));
+    document.preview(withFirstAt({3, 1}));
+    document.endGesture();
+    EXPECT_EQ(steps(), 2);
+    document.undo();
+    EXPECT_EQ(document.find(kElevation, serial), nullptr);
+    document.redo();
+    EXPECT_EQ(curve(), withFirstAt({3, 1}));
+}
+
 TEST_F(OpenDocumentTest, stepsThatFollowEachOtherCloselyAreOne) {
     for (int i = 1; i <= 10; ++i)
         document.changeInBurst(kElevation, serial, withFirstAt({0.0 + i, 0}), {"Nudge"});
@@ -174,7 +193,7 @@ class Person {
 
     void act() {
         const Serial serial = any(document_.serials(kElevation));
-        switch (below(9)) {
+        switch (below(10)) {
         case 0:
             document_.add(kElevation, below(static_cast<int>(document_.serials(kElevation).size()) + 1), arch(),
                           {"New curve"});
@@ -204,6 +223,10 @@ class Person {
             break;
         case 7:
             document_.redo();
+            break;
+        case 8:
+            document_.preview(moved(*document_.beginGestureWithNew(kElevation, 0, arch(), {"New curve"})));
+            below(2) == 0 ? document_.endGesture() : document_.cancelGesture();
             break;
         default:
             document_.markSaved();
