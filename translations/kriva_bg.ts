@@ -627,6 +627,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>The blossom needs as many numbers as the degree</source>
         <translation>Полярната форма изисква толкова числа, колкото е степента</translation>
     </message>
+    <message>
+        <source>The shape changes by at most %1</source>
+        <translation>Формата се променя с най-много %1</translation>
+    </message>
+    <message>
+        <source>The degree falls to %1</source>
+        <translation>Степента пада до %1</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>

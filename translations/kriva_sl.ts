@@ -629,6 +629,14 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>The blossom needs as many numbers as the degree</source>
         <translation>Polarna forma potrebuje toliko števil, kolikor je stopnja</translation>
     </message>
+    <message>
+        <source>The shape changes by at most %1</source>
+        <translation>Oblika se spremeni za največ %1</translation>
+    </message>
+    <message>
+        <source>The degree falls to %1</source>
+        <translation>Stopnja se zniža na %1</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>

@@ -628,6 +628,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>The blossom needs as many numbers as the degree</source>
         <translation>Полярна форма потребує стільки чисел, який степінь</translation>
     </message>
+    <message>
+        <source>The shape changes by at most %1</source>
+        <translation>Форма змінюється щонайбільше на %1</translation>
+    </message>
+    <message>
+        <source>The degree falls to %1</source>
+        <translation>Степінь знижується до %1</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>

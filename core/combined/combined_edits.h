@@ -34,6 +34,15 @@ namespace kriva {
 [[nodiscard]] Edited<CombinedCurve> withPointAdded(const CombinedCurve& curve, Point at);
 /// `indices` ascending.
 [[nodiscard]] Edited<CombinedCurve> withPointsRemoved(const CombinedCurve& curve, const std::vector<int>& indices);
+/// The same: the polynomials are fitted anew in any case.
+[[nodiscard]] inline Refitted<CombinedCurve> withPointsRemovedRefitted(const CombinedCurve& curve,
+                                                                       const std::vector<int>& indices) {
+    return {withPointsRemoved(curve, indices), {}};
+}
+/// Nothing: it has pieces.
+[[nodiscard]] inline std::optional<int> polynomialDegree(const CombinedCurve&) {
+    return {};
+}
 /// The same points from the other end. Runs keep their turning points in the new order, so the curve may change.
 [[nodiscard]] Edited<CombinedCurve> reversed(const CombinedCurve& curve);
 

@@ -133,6 +133,19 @@ Edited<Curve> withPointsRemoved(const Curve& curve, const std::vector<int>& indi
     return std::visit([&](const auto& c) { return widened(withPointsRemoved(c, indices)); }, curve);
 }
 
+Refitted<Curve> withPointsRemovedRefitted(const Curve& curve, const std::vector<int>& indices) {
+    return std::visit(
+        [&](const auto& c) {
+            auto refitted = withPointsRemovedRefitted(c, indices);
+            return Refitted<Curve>{widened(std::move(refitted.edited)), refitted.deviation};
+        },
+        curve);
+}
+
+std::optional<int> polynomialDegree(const Curve& curve) {
+    return std::visit([](const auto& c) { return polynomialDegree(c); }, curve);
+}
+
 Edited<Curve> reversed(const Curve& curve) {
     return std::visit([](const auto& c) { return widened(reversed(c)); }, curve);
 }

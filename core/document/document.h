@@ -61,6 +61,10 @@ struct Document {
 /// The curve pulled where it is nearest to `from`; nothing where it gives way to no pull.
 [[nodiscard]] std::optional<Curve> withCurvePulled(const Curve& curve, Point from, Vector by);
 [[nodiscard]] Edited<Curve> withPointsRemoved(const Curve& curve, const std::vector<int>& indices);
+/// The same with the neighbours refitted where the curve has pieces, so that its shape changes least.
+[[nodiscard]] Refitted<Curve> withPointsRemovedRefitted(const Curve& curve, const std::vector<int>& indices);
+/// The degree where one polynomial runs through all points, so that it falls when one is removed; else nothing.
+[[nodiscard]] std::optional<int> polynomialDegree(const Curve& curve);
 [[nodiscard]] Edited<Curve> reversed(const Curve& curve);
 [[nodiscard]] std::span<const LayerInfo> layersOf(SheetIndex sheet);
 [[nodiscard]] Figure figureOf(const Curve& curve, const FigureContext& context);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace kriva {
@@ -20,6 +21,15 @@ template <class Curve>
 struct Edited {
     Curve curve;
     IndexMap map;
+};
+
+/// What an edit returns that takes points away and fits what is left to the curve as it was.
+template <class Curve>
+struct Refitted {
+    Edited<Curve> edited;
+    /// How far what goes lies from the new curve, at most, measured at places spread over it, in document units;
+    /// nothing where nothing was fitted.
+    std::optional<double> deviation;
 };
 
 /// The map of `count` points when those at `removed` (ascending) go.

@@ -31,6 +31,15 @@ namespace kriva {
 [[nodiscard]] Edited<ElevationCurve> withPointAdded(ElevationCurve curve, Point at);
 /// `indices` ascending. The degree falls.
 [[nodiscard]] Edited<ElevationCurve> withPointsRemoved(const ElevationCurve& curve, const std::vector<int>& indices);
+/// The same: there are no pieces to refit.
+[[nodiscard]] inline Refitted<ElevationCurve> withPointsRemovedRefitted(const ElevationCurve& curve,
+                                                                        const std::vector<int>& indices) {
+    return {withPointsRemoved(curve, indices), {}};
+}
+/// Of the polynomial that runs through all points; nothing for incomplete curves.
+[[nodiscard]] inline std::optional<int> polynomialDegree(const ElevationCurve& curve) {
+    return isIncomplete(curve) ? std::nullopt : std::optional(static_cast<int>(curve.points.size()) - 1);
+}
 [[nodiscard]] Edited<ElevationCurve> reversed(const ElevationCurve& curve);
 
 /// One degree elevation: one point more, the same curve; its inner points are all new. Nothing where the degree cannot

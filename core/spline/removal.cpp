@@ -187,8 +187,8 @@ SplineCurve heldBesides(const SplineCurve& curve, const IndexMap& map) {
 
 } // namespace
 
-RefittedRemoval withPointsRemovedRefitted(const SplineCurve& curve, const std::vector<int>& indices) {
-    RefittedRemoval removal{withPointsRemoved(curve, indices), {}};
+Refitted<SplineCurve> withPointsRemovedRefitted(const SplineCurve& curve, const std::vector<int>& indices) {
+    Refitted<SplineCurve> removal{withPointsRemoved(curve, indices), {}};
     if (curve.degree == 2 || isIncomplete(removal.edited.curve))
         return removal;
     const IndexMap& map = removal.edited.map;

@@ -32,8 +32,12 @@ namespace kriva {
 [[nodiscard]] SplineCurve withGripsMoved(const SplineCurve& curve, std::span<const GripId> ids, Vector by);
 /// An automatic knot behind the last one.
 [[nodiscard]] Edited<SplineCurve> withPointAdded(const SplineCurve& curve, Point at);
-/// `indices` ascending. The other knots keep what they are.
+/// `indices` ascending. The other knots keep what they are; removal.h has the removal that refits them.
 [[nodiscard]] Edited<SplineCurve> withPointsRemoved(const SplineCurve& curve, const std::vector<int>& indices);
+/// Nothing: it has pieces.
+[[nodiscard]] inline std::optional<int> polynomialDegree(const SplineCurve&) {
+    return {};
+}
 /// The same curve run through from its other end; a closed one still starts at its first knot. Handles that the mirror
 /// rule placed are stored, for it reads differently backwards; those of the other rules are the same both ways.
 [[nodiscard]] Edited<SplineCurve> reversed(const SplineCurve& curve);

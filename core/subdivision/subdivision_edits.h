@@ -34,6 +34,15 @@ namespace kriva {
 /// `indices` ascending. The degree falls.
 [[nodiscard]] Edited<SubdivisionCurve> withPointsRemoved(const SubdivisionCurve& curve,
                                                          const std::vector<int>& indices);
+/// The same: there are no pieces to refit.
+[[nodiscard]] inline Refitted<SubdivisionCurve> withPointsRemovedRefitted(const SubdivisionCurve& curve,
+                                                                          const std::vector<int>& indices) {
+    return {withPointsRemoved(curve, indices), {}};
+}
+/// Of the polynomial that runs through all points, multiplicities counted; nothing for incomplete curves.
+[[nodiscard]] inline std::optional<int> polynomialDegree(const SubdivisionCurve& curve) {
+    return isIncomplete(curve) ? std::nullopt : std::optional(static_cast<int>(controlPointCount(curve)) - 1);
+}
 /// The same cut and the same blossom, seen from the other end.
 [[nodiscard]] Edited<SubdivisionCurve> reversed(const SubdivisionCurve& curve);
 

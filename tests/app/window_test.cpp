@@ -95,6 +95,53 @@ TEST_P(WindowTest, aClickSelectsAndDeleteRemoves) {
     EXPECT_EQ(window.steps(GetParam()), 1);
 }
 
+TEST_P(WindowTest, aDragWithTheAddToolIsOneStepOrNone) {
+    const Curve before = curve();
+    const auto drag = [&] {
+        canvas().setTool(Tool::add);
+        press(emptyPlace());
+        moveTo(emptyPlace() + QPoint(20, -20));
+        moveTo(emptyPlace() + QPoint(30, -50));
+        EXPECT_EQ(tab.editor().selectedPoints(), std::vector<int>{count() - 1});
+    };
+    drag();
+    release(emptyPlace() + QPoint(30, -50));
+    EXPECT_EQ(count(), static_cast<int>(pointCount(before)) + 1);
+    EXPECT_EQ(window.steps(GetParam()), 1);
+    document().undo();
+    EXPECT_EQ(curve(), before);
+    drag();
+    QTest::keyClick(canvas().viewport(), Qt::Key_Escape);
+    EXPECT_EQ(curve(), before);
+    EXPECT_TRUE(document().history(GetParam()).canRedo());
+    tab.editor().clear();
+    drag();
+    release(emptyPlace() + QPoint(30, -50));
+    EXPECT_EQ(window.steps(GetParam()), 2);
+    document().undo();
+    EXPECT_EQ(tab.editor().activeCurve(), nullptr);
+    drag();
+    QTest::keyClick(canvas().viewport(), Qt::Key_Escape);
+    EXPECT_EQ(tab.editor().activeCurve(), nullptr);
+}
+
+TEST_P(WindowTest, deleteIsEnabledWherePointsOfTheActiveCurveAreSelected) {
+    const QAction& action = *window.window.findChild<QAction*>(QStringLiteral("deleteSelected"));
+    EXPECT_FALSE(action.isEnabled());
+    QTest::mouseClick(canvas().viewport(), Qt::LeftButton, {}, pixelOf(tab, 1));
+    EXPECT_TRUE(action.isEnabled());
+    tab.editor().newCurve();
+    EXPECT_FALSE(action.isEnabled());
+    document().setActiveCurve(GetParam(), document().serials(GetParam()).front());
+    EXPECT_TRUE(action.isEnabled());
+    document().setActiveSheet((GetParam() + 1) % kSheetCount);
+    EXPECT_FALSE(action.isEnabled());
+    document().setActiveSheet(GetParam());
+    EXPECT_TRUE(action.isEnabled());
+    tab.editor().clear();
+    EXPECT_FALSE(action.isEnabled());
+}
+
 TEST_P(WindowTest, aRubberBandSelectsAndNudgesAreOneStep) {
     const QRect all = canvas().viewport()->rect().adjusted(3, 3, -3, -3);
     press(all.bottomLeft());
@@ -122,6 +169,68 @@ TEST_P(WindowTest, savesAndOpensTheSameDocument) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InEachTab, WindowTest, testing::Range<SheetIndex>(0, kSheetCount));
+
+class RemovalTest : public testing::Test {
+  protected:
+    [[nodiscard]] QString hint() { return window.window.findChild<QLabel*>(QStringLiteral("hint"))->text(); }
+    void selectByClick(SheetTab& tab, int point) {
+        QTest::mouseMove(tab.canvas().viewport(), pixelOf(tab, point));
+        QTest::mouseClick(tab.canvas().viewport(), Qt::LeftButton, {}, pixelOf(tab, point));
+    }
+
+    TestWindow window;
+};
+
+TEST_F(RemovalTest, refitsTheNeighboursOfAKnotAndTellsTheDeviationUntilThePointerMoves) {
+    SheetTab& tab = window.shown(2);
+    const auto before = std::get<SplineCurve>(*tab.editor().activeCurve());
+    const Refitted<SplineCurve> refitted = withPointsRemovedRefitted(before, {2});
+    const QString told = QStringLiteral("The shape changes by at most %1")
+                             .arg(QLocale(QLocale::English).toString(*refitted.deviation, 'g', 3));
+    const QPoint knot = pixelOf(tab, 2);
+    selectByClick(tab, 2);
+    QTest::keyClick(tab.canvas().viewport(), Qt::Key_Delete);
+    EXPECT_EQ(*tab.editor().activeCurve(), Curve(refitted.edited.curve));
+    EXPECT_EQ(hint(), told);
+    QTest::mouseMove(tab.canvas().viewport(), {5, 5});
+    QTest::mouseMove(tab.canvas().viewport(), {6, 5});
+    EXPECT_NE(hint(), told);
+    window.window.document().undo();
+    QTest::mouseMove(tab.canvas().viewport(), knot);
+    QTest::mouseClick(tab.canvas().viewport(), Qt::LeftButton, Qt::AltModifier, knot);
+    EXPECT_EQ(*tab.editor().activeCurve(), Curve(refitted.edited.curve));
+    EXPECT_EQ(hint(), told);
+}
+
+TEST_F(RemovalTest, ctrlDeleteAndDeleteLastPointRefitNothing) {
+    SheetTab& tab = window.shown(2);
+    const auto before = std::get<SplineCurve>(*tab.editor().activeCurve());
+    selectByClick(tab, 2);
+    QTest::keyClick(tab.canvas().viewport(), Qt::Key_Delete, Qt::ControlModifier);
+    EXPECT_EQ(*tab.editor().activeCurve(), Curve(withPointsRemoved(before, {2}).curve));
+    window.window.document().undo();
+    tab.editor().removeLastPoint();
+    EXPECT_EQ(*tab.editor().activeCurve(),
+              Curve(withPointsRemoved(before, {static_cast<int>(before.knots.size()) - 1}).curve));
+}
+
+TEST_F(RemovalTest, tellsWhereTheDegreeFalls) {
+    for (const SheetIndex sheet : {0U, 1U})
+        for (const Qt::KeyboardModifiers keys : {Qt::KeyboardModifiers(), Qt::KeyboardModifiers(Qt::ControlModifier)}) {
+            SheetTab& tab = window.shown(sheet);
+            const int degree = *polynomialDegree(*tab.editor().activeCurve());
+            selectByClick(tab, 1);
+            QTest::keyClick(tab.canvas().viewport(), Qt::Key_Delete, keys);
+            EXPECT_EQ(hint(), QStringLiteral("The degree falls to %1").arg(degree - 1));
+            window.window.document().undo();
+        }
+}
+
+TEST_F(RemovalTest, leavesAPointByItselfWithoutADegree) {
+    SheetTab& tab = window.shown(0);
+    tab.editor().removePoints(tab.editor().activeSerial(), {1, 2, 3}, Removal::refitted);
+    EXPECT_FALSE(hint().startsWith(QStringLiteral("The degree")));
+}
 
 /// Answers the next message box.
 void answerWith(QMessageBox::StandardButton button) {

@@ -73,8 +73,11 @@ QVariant PointsModel::data(const QModelIndex& index, int role) const {
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     if (!index.isValid() || (role != Qt::DisplayRole && role != Qt::EditRole && role != Qt::ToolTipRole))
         return {};
+    const Curve* curve = editor_.activeCurve();
+    if (!curve || index.row() >= static_cast<int>(pointCount(*curve)))
+        return {}; // a view asks for the last time, about to hear that the row is gone
     if (index.column() >= kOwnColumns)
-        return columns_[ownColumn(index.column())].text(*editor_.activeCurve(), index.row());
+        return columns_[ownColumn(index.column())].text(*curve, index.row());
     const Point point = pointAt(index.row());
     const double number = index.column() == kX ? point.x : point.y;
     switch (role) {

@@ -112,7 +112,7 @@ void PointsPanel::keyPressEvent(QKeyEvent* event) {
     else if (event->matches(QKeySequence::Paste))
         paste();
     else if (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace)
-        editor_.removeSelected();
+        editor_.removeSelected(event->modifiers().testFlag(Qt::ControlModifier) ? Removal::plain : Removal::refitted);
     else
         QTableView::keyPressEvent(event);
 }
@@ -131,7 +131,7 @@ void PointsPanel::paste() {
     if (points)
         editor_.addPoints(*points);
     else
-        Q_EMIT editor_.hint(QT_TRANSLATE_NOOP("Hint", "The clipboard holds no table of two numbers in each line"));
+        Q_EMIT editor_.hint({QT_TRANSLATE_NOOP("Hint", "The clipboard holds no table of two numbers in each line")});
 }
 
 } // namespace kriva::ui

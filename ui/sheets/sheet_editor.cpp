@@ -127,17 +127,28 @@ void SheetEditor::addPoint(Point at) {
 }
 
 void SheetEditor::addPoints(std::span<const Point> points) {
-    const Curve* active = activeCurve();
-    Curve curve = active ? *active : emptyCurve(index_);
-    for (const Point at : points)
-        curve = withPointAdded(std::move(curve), at).curve;
+    if (beginAdding(points))
+        document_.endGesture();
+}
+
+bool SheetEditor::beginAdding(std::span<const Point> points) {
     const StepLabel label = points.size() == 1 ? StepLabel{QT_TRANSLATE_NOOP("Step", "Add a point")}
                                                : StepLabel{QT_TRANSLATE_NOOP("Step", "Add points")};
-    const int last = static_cast<int>(pointCount(curve)) - 1;
-    const bool isAdded = active ? document_.change(index_, activeSerial(), std::move(curve), label)
-                                : document_.add(index_, 0, std::move(curve), label).has_value();
-    if (isAdded)
-        select({{activeSerial(), {GripKind::point, last}}});
+    if (activeCurve())
+        document_.beginGesture(index_, activeSerial(), label);
+    else if (!document_.beginGestureWithNew(index_, 0, emptyCurve(index_), label))
+        return false;
+    Curve curve = *activeCurve();
+    for (const Point at : points)
+        curve = withPointAdded(std::move(curve), at).curve;
+    const std::size_t count = pointCount(curve);
+    document_.preview(std::move(curve));
+    if (pointCount(*activeCurve()) != count) {
+        document_.cancelGesture();
+        return false;
+    }
+    select({{activeSerial(), {GripKind::point, static_cast<int>(count) - 1}}});
+    return true;
 }
 
 void SheetEditor::insertPoint(Serial serial, Point near) {
@@ -146,7 +157,7 @@ void SheetEditor::insertPoint(Serial serial, Point near) {
         return;
     std::optional<Edited<Curve>> edited = withPointInserted(*curve, near);
     if (!edited) {
-        Q_EMIT hint(QT_TRANSLATE_NOOP("Hint", "No point can be inserted here"));
+        Q_EMIT hint({QT_TRANSLATE_NOOP("Hint", "No point can be inserted here")});
         return;
     }
     const IndexMap map = std::move(edited->map);
@@ -157,27 +168,38 @@ void SheetEditor::insertPoint(Serial serial, Point near) {
     }
 }
 
-void SheetEditor::removePoints(Serial serial, const std::vector<int>& indices) {
+void SheetEditor::removePoints(Serial serial, const std::vector<int>& indices, Removal removal) {
     const Curve* curve = document_.find(index_, serial);
     if (!curve || indices.empty())
         return;
-    Edited<Curve> edited = withPointsRemoved(*curve, indices);
+    const Curve before = *curve;
+    Refitted<Curve> refitted = removal == Removal::refitted ? withPointsRemovedRefitted(before, indices)
+                                                            : Refitted<Curve>{withPointsRemoved(before, indices), {}};
     const StepLabel label = indices.size() == 1 ? StepLabel{QT_TRANSLATE_NOOP("Step", "Remove point %1"), indices[0]}
                                                 : StepLabel{QT_TRANSLATE_NOOP("Step", "Remove points")};
-    const Selection before = selection_;
-    if (document_.change(index_, serial, std::move(edited.curve), label)) {
-        selection_ = before; // the change has dropped what lay beyond the end; the map knows where it went
-        applyMap(serial, edited.map);
+    const Selection selected = selection_;
+    if (document_.change(index_, serial, std::move(refitted.edited.curve), label)) {
+        selection_ = selected; // the change has dropped what lay beyond the end; the map knows where it went
+        applyMap(serial, refitted.edited.map);
+        tellRemoval(before, *document_.find(index_, serial), refitted.deviation);
     }
 }
 
-void SheetEditor::removeSelected() {
-    removePoints(activeSerial(), selectedPoints());
+void SheetEditor::tellRemoval(const Curve& before, const Curve& after, std::optional<double> deviation) {
+    const std::optional<int> degree = polynomialDegree(after);
+    if (deviation)
+        Q_EMIT hint({QT_TRANSLATE_NOOP("Hint", "The shape changes by at most %1"), deviation});
+    else if (degree && degree != polynomialDegree(before))
+        Q_EMIT hint({QT_TRANSLATE_NOOP("Hint", "The degree falls to %1"), degree});
+}
+
+void SheetEditor::removeSelected(Removal removal) {
+    removePoints(activeSerial(), selectedPoints(), removal);
 }
 
 void SheetEditor::removeLastPoint() {
     if (const Curve* curve = activeCurve(); curve && pointCount(*curve) > 0)
-        removePoints(activeSerial(), {static_cast<int>(pointCount(*curve)) - 1});
+        removePoints(activeSerial(), {static_cast<int>(pointCount(*curve)) - 1}, Removal::plain);
 }
 
 void SheetEditor::placePoint(int index, Point at) {
@@ -270,48 +292,6 @@ void SheetEditor::clear() {
     for (const Serial serial : std::vector<Serial>(document_.serials(index_)))
         deleteCurve(serial);
     history.endMacro();
-}
-
-void SheetEditor::beginDrag(const GripRef& grip) {
-    if (!selection_.contains(grip))
-        select({grip});
-    pulledAt_.reset();
-    draggedGrips_ = selectedGrips(grip.serial);
-    setStage({});
-    document_.beginGesture(index_, grip.serial,
-                           draggedGrips_.size() > 1 ? StepLabel{QT_TRANSLATE_NOOP("Step", "Move points")}
-                                                    : moveLabel(grip.id));
-}
-
-void SheetEditor::beginCurveDrag(Serial serial, Point at) {
-    const Curve* curve = document_.find(index_, serial);
-    if (!curve)
-        return;
-    if (!withCurvePulled(*curve, at, {})) {
-        Q_EMIT hint(QT_TRANSLATE_NOOP("Hint", "This curve follows its points; drag them"));
-        return;
-    }
-    pulledAt_ = at;
-    setStage({});
-    document_.beginGesture(index_, serial, {QT_TRANSLATE_NOOP("Step", "Mould the curve")});
-}
-
-void SheetEditor::drag(Vector by) {
-    if (!document_.hasGesture())
-        return;
-    const Curve& start = document_.gestureStart();
-    if (!pulledAt_)
-        document_.preview(withGripsMoved(start, draggedGrips_, by));
-    else if (std::optional<Curve> pulled = withCurvePulled(start, *pulledAt_, by))
-        document_.preview(std::move(*pulled));
-}
-
-void SheetEditor::endDrag() {
-    document_.endGesture();
-}
-
-void SheetEditor::cancelDrag() {
-    document_.cancelGesture();
 }
 
 } // namespace kriva::ui

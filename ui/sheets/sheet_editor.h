@@ -1,7 +1,8 @@
 #pragma once
 
-#include "ui/canvas/selection.h"
+#include "ui/canvas/canvas_client.h"
 #include "ui/document/open_document.h"
+#include "ui/sheets/hint.h"
 
 namespace kriva::ui {
 
@@ -34,15 +35,18 @@ class SheetEditor : public QObject {
     void invertSelection();
     /// Indices of the selected points of the active curve, ascending.
     [[nodiscard]] std::vector<int> selectedPoints() const;
+    [[nodiscard]] std::vector<GripId> selectedGrips(Serial serial) const;
 
     // Points.
     void addPoint(Point at);
     /// At the end of the active curve, in one step.
     void addPoints(std::span<const Point> points);
+    /// The same as a gesture that goes on, with the last of the points selected; false where they are refused.
+    bool beginAdding(std::span<const Point> points);
     /// One point more near a place of the curve, which keeps its shape.
     void insertPoint(Serial serial, Point near);
-    void removePoints(Serial serial, const std::vector<int>& indices);
-    void removeSelected();
+    void removePoints(Serial serial, const std::vector<int>& indices, Removal removal);
+    void removeSelected(Removal removal);
     void removeLastPoint();
     /// A point of the active curve, placed by typing.
     void placePoint(int index, Point at);
@@ -65,34 +69,24 @@ class SheetEditor : public QObject {
     /// Deletes all curves in one step.
     void clear();
 
-    // A drag of the selection, told by the canvas.
-    void beginDrag(const GripRef& grip);
-    /// A drag of the curve itself, taken hold of at `at`; refused with a hint where it gives way to no pull.
-    void beginCurveDrag(Serial serial, Point at);
-    void drag(Vector by);
-    void endDrag();
-    void cancelDrag();
-
   Q_SIGNALS:
     void selectionChanged();
     /// What is on view for this curve changed: its value, or the stage in its place.
     void shownCurveChanged(kriva::ui::Serial serial);
-    /// Something worth telling in the status bar happened; the text is marked with QT_TRANSLATE_NOOP("Hint", ...).
-    void hint(const char* text);
+    /// Something worth telling in the status row happened.
+    void hint(const kriva::ui::Hint& hint);
 
   private:
     [[nodiscard]] Selection allPoints() const;
     void dropLostSelection();
     void applyMap(Serial serial, const IndexMap& map);
-    [[nodiscard]] std::vector<GripId> selectedGrips(Serial serial) const;
+    void tellRemoval(const Curve& before, const Curve& after, std::optional<double> deviation);
 
     OpenDocument& document_;
     SheetIndex index_;
     Selection selection_;
     std::optional<Curve> stage_;
     Serial stagedSerial_ = 0; ///< in whose place the stage stands
-    std::vector<GripId> draggedGrips_;
-    std::optional<Point> pulledAt_; ///< where the curve itself is dragged
 };
 
 } // namespace kriva::ui

@@ -43,8 +43,7 @@ SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, 
             showAllCurves();
     });
     connect(&editor_, &SheetEditor::shownCurveChanged, this, &SheetTab::updateCurve);
-    connect(&editor_, &SheetEditor::hint, this,
-            [this](const char* text) { Q_EMIT hintChanged(QCoreApplication::translate("Hint", text)); });
+    connect(&editor_, &SheetEditor::hint, this, [this](const Hint& hint) { Q_EMIT told(hint.text()); });
     connect(&editor_, &SheetEditor::selectionChanged, this, [this] { canvas_->setSelection(editor_.selection()); });
     retranslateUi();
 }
@@ -151,11 +150,11 @@ void SheetTab::insertPoint(Serial curve, Point at) {
 
 void SheetTab::removePoint(GripRef grip) {
     if (grip.id.kind == GripKind::point)
-        editor_.removePoints(grip.serial, {grip.id.index});
+        editor_.removePoints(grip.serial, {grip.id.index}, Removal::refitted);
 }
 
-void SheetTab::removeSelected(Removal) {
-    editor_.removeSelected();
+void SheetTab::removeSelected(Removal removal) {
+    editor_.removeSelected(removal);
 }
 
 void SheetTab::select(Selection selection) {
@@ -172,30 +171,28 @@ void SheetTab::activateCurve(Serial curve) {
 
 void SheetTab::beginDrag(GripRef grip) {
     activateCurve(grip.serial);
-    editor_.beginDrag(grip);
+    drag_.begin(grip);
 }
 
 void SheetTab::beginAddDrag(Point at) {
-    editor_.addPoint(at);
-    if (!editor_.selection().empty())
-        editor_.beginDrag(*editor_.selection().begin());
+    drag_.beginAdding(at);
 }
 
 void SheetTab::beginCurveDrag(Serial curve, Point at) {
     activateCurve(curve);
-    editor_.beginCurveDrag(curve, at);
+    drag_.beginOnCurve(curve, at);
 }
 
 void SheetTab::drag(Vector by, Qt::KeyboardModifiers) {
-    editor_.drag(by);
+    drag_.move(by);
 }
 
 void SheetTab::endDrag() {
-    editor_.endDrag();
+    drag_.end();
 }
 
 void SheetTab::cancelDrag() {
-    editor_.cancelDrag();
+    drag_.cancel();
 }
 
 void SheetTab::nudge(Vector by) {

@@ -2,6 +2,7 @@
 
 #include "ui/canvas/canvas_client.h"
 #include "ui/canvas/canvas_view.h"
+#include "ui/sheets/sheet_drag.h"
 #include "ui/sheets/sheet_editor.h"
 #include "ui/sheets/sheet_ui.h"
 
@@ -24,8 +25,10 @@ class SheetTab : public QMainWindow, private CanvasClient {
     void resetPanels();
 
   Q_SIGNALS:
-    /// A text for the status bar about what lies under the pointer; empty where there is nothing to say.
+    /// A text for the status row about what lies under the pointer; empty where there is nothing to say.
     void hintChanged(const QString& hint);
+    /// A text for the status row about what just happened.
+    void told(const QString& text);
 
   protected:
     void changeEvent(QEvent* event) override;
@@ -65,6 +68,7 @@ class SheetTab : public QMainWindow, private CanvasClient {
     };
 
     SheetEditor editor_;
+    SheetDrag drag_{editor_};
     CanvasView* canvas_;
     std::vector<Panel> panels_;
     QByteArray firstLayout_;

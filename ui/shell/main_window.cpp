@@ -59,6 +59,7 @@ void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
         auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + sheet)), this);
         connect(shortcut, &QShortcut::activated, this, [this, sheet] { document_.setActiveSheet(sheet); });
         connect(tab, &SheetTab::hintChanged, status_, &StatusRow::showHint);
+        connect(tab, &SheetTab::told, status_, &StatusRow::tell);
         connect(&tab->canvas(), &CanvasView::pointerMoved, status_, &StatusRow::showPointer);
         connect(&tab->canvas(), &CanvasView::zoomChanged, status_, &StatusRow::showZoom);
         connect(&tab->canvas(), &CanvasView::toolChanged, this, &MainWindow::followTab);
@@ -68,6 +69,8 @@ void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
             [this](int index) { document_.setActiveSheet(static_cast<SheetIndex>(index)); });
     connect(&document_, &OpenDocument::activeSheetChanged, this, &MainWindow::followTab);
     connect(&document_, &OpenDocument::replaced, this, &MainWindow::followTab);
+    connect(&document_, &OpenDocument::curvesChanged, this, &MainWindow::followSelection);
+    connect(&document_, &OpenDocument::viewChanged, this, &MainWindow::followSelection);
 }
 
 void MainWindow::connectActions() {
@@ -101,7 +104,7 @@ void MainWindow::connectActions() {
     });
     connect(&document_, &OpenDocument::modifiedChanged, this, &QWidget::setWindowModified);
     connect(&document_, &OpenDocument::refused, this,
-            [this](const FileError& error) { status_->showHint(errorText(error)); });
+            [this](const FileError& error) { status_->tell(errorText(error)); });
 }
 
 void MainWindow::connectEditActions() {
@@ -116,7 +119,8 @@ void MainWindow::connectEditActions() {
     };
     connect(actions_->undo, &QAction::triggered, &document_, &OpenDocument::undo);
     connect(actions_->redo, &QAction::triggered, &document_, &OpenDocument::redo);
-    onEditor(actions_->deleteSelected, &SheetEditor::removeSelected);
+    connect(actions_->deleteSelected, &QAction::triggered, this,
+            [this] { currentTab().editor().removeSelected(Removal::refitted); });
     onEditor(actions_->deleteLastPoint, &SheetEditor::removeLastPoint);
     onEditor(actions_->clearCanvas, &SheetEditor::clear);
     onEditor(actions_->selectAll, &SheetEditor::selectAll);

@@ -24,7 +24,19 @@ StatusRow::StatusRow(QWidget* parent)
     retranslateUi();
 }
 
+void StatusRow::showHint(const QString& hint) {
+    if (!isTelling_)
+        hint_->setText(hint);
+}
+
+void StatusRow::tell(const QString& text) {
+    hint_->setText(text);
+    isTelling_ = true;
+}
+
 void StatusRow::showPointer(Point at) {
+    if (at != at_)
+        isTelling_ = false;
     at_ = at;
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
@@ -46,6 +58,7 @@ void StatusRow::changeEvent(QEvent* event) {
 }
 
 void StatusRow::retranslateUi() {
+    isTelling_ = false;
     hint_->clear(); // the next move of the pointer gives one in the new language
     pointer_->setAccessibleName(tr("Coordinates of the pointer"));
     zoom_->setAccessibleName(tr("Zoom"));

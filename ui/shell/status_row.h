@@ -13,7 +13,10 @@ class StatusRow : public QStatusBar {
   public:
     explicit StatusRow(QWidget* parent = nullptr);
 
-    void showHint(const QString& hint) { hint_->setText(hint); }
+    /// What a person can do next.
+    void showHint(const QString& hint);
+    /// What just happened: it stays until the pointer is elsewhere.
+    void tell(const QString& text);
     void showPointer(Point at);
     void showZoom(double percent);
 
@@ -27,6 +30,7 @@ class StatusRow : public QStatusBar {
     QLabel* pointer_;
     QLabel* zoom_;
     Point at_;
+    bool isTelling_ = false;
     double percent_ = 100;
 };
 

@@ -28,7 +28,7 @@ TEST(RefittedRemoval, takesBackAnInsertedKnot) {
             for (const double t : {0.2, 0.5, 0.7}) {
                 const SplineCurve curve = curveThrough(rule, {{0, 0}, {4, 3}, {9, 1}, {7, -4}}, closed);
                 const SplineCurve inserted = withKnotInserted(curve, 1, t).curve;
-                const RefittedRemoval removal = withPointsRemovedRefitted(inserted, {2});
+                const Refitted<SplineCurve> removal = withPointsRemovedRefitted(inserted, {2});
                 EXPECT_LE(farthest(solveSpline(removal.edited.curve).segments, solveSpline(curve).segments), 1e-9);
                 ASSERT_TRUE(removal.deviation);
                 EXPECT_LE(*removal.deviation, 1e-9);
@@ -39,7 +39,7 @@ RC_GTEST_PROP(RefittedRemoval, leavesTheRestOfTheCurveWhereItIs, ()) {
     const SplineCurve curve = anyWithHandles();
     const int count = static_cast<int>(curve.knots.size());
     const int gone = *rc::gen::inRange(0, count);
-    const RefittedRemoval removal = withPointsRemovedRefitted(curve, {gone});
+    const Refitted<SplineCurve> removal = withPointsRemovedRefitted(curve, {gone});
     if (isIncomplete(removal.edited.curve))
         return;
     const std::vector<Points> before = solveSpline(curve).segments;
@@ -55,7 +55,7 @@ RC_GTEST_PROP(RefittedRemoval, leavesTheRestOfTheCurveWhereItIs, ()) {
 RC_GTEST_PROP(RefittedRemoval, deviatesNoMoreThanItTells, ()) {
     const SplineCurve curve = anyWithHandles();
     const int gone = *rc::gen::inRange(1, static_cast<int>(curve.knots.size()) - 1);
-    const RefittedRemoval removal = withPointsRemovedRefitted(curve, {gone});
+    const Refitted<SplineCurve> removal = withPointsRemovedRefitted(curve, {gone});
     if (!removal.deviation)
         return;
     const auto old = static_cast<std::size_t>(gone);
@@ -89,7 +89,7 @@ TEST(RefittedRemoval, hasNothingToFitAtAnOpenEnd) {
 
 TEST(RefittedRemoval, ofCoincidentKnotsIsExact) {
     const SplineCurve curve = curveThrough(Rule::natural, Points(4, {1, 2}));
-    const RefittedRemoval removal = withPointsRemovedRefitted(curve, {1});
+    const Refitted<SplineCurve> removal = withPointsRemovedRefitted(curve, {1});
     EXPECT_EQ(removal.deviation, 0);
     EXPECT_EQ(solveSpline(removal.edited.curve).segments, std::vector<Points>(2, Points(4, {1, 2})));
 }

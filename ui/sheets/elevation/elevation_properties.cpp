@@ -10,10 +10,6 @@ namespace {
 /// As far as one looks at first: the 97 elevations after which the polygon of a cubic can hardly be told from it.
 constexpr int kUsualElevations = 97;
 
-int degreeOf(const ElevationCurve& curve) {
-    return static_cast<int>(curve.points.size()) - 1;
-}
-
 /// The largest number of elevations that the slider and the player run through.
 int shownElevations(const ElevationCurve& curve) {
     return std::max(kUsualElevations, curve.times);
@@ -34,7 +30,7 @@ ElevationProperties::ElevationProperties(SheetEditor& editor, QWidget* parent)
     addRow(QT_TRANSLATE_NOOP("Properties", "Degree"), degree_);
     bind(degree_,
          [](const Curve& curve, double degree) {
-             return withTimes(curve, static_cast<int>(degree) - degreeOf(std::get<ElevationCurve>(curve)));
+             return withTimes(curve, static_cast<int>(degree) - *polynomialDegree(curve));
          },
          {QT_TRANSLATE_NOOP("Step", "Raise the degree")});
     connect(degree_, &SliderField::dragEnded, this, &ElevationProperties::showState);
@@ -50,7 +46,7 @@ void ElevationProperties::showCurve() {
     setEnabled(!isIncomplete(value));
     if (isIncomplete(value))
         return;
-    const int degree = degreeOf(value);
+    const int degree = *polynomialDegree(value);
     degree_->setRange({static_cast<double>(degree), static_cast<double>(degree + limits::kElevations), false, true});
     if (!degree_->slider()->isSliderDown()) // the way of a handle that is held keeps its length
         degree_->setSlider(degree, degree + shownElevations(value), 1);

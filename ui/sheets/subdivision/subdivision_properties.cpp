@@ -143,7 +143,7 @@ void SubdivisionProperties::takeBlossom() {
     if (arguments && arguments->size() + 1 == controlPointCount(value))
         editor().change(withBlossom(value, std::move(arguments)), {QT_TRANSLATE_NOOP("Step", "Set the blossom")});
     else
-        Q_EMIT editor().hint(QT_TRANSLATE_NOOP("Hint", "The blossom needs as many numbers as the degree"));
+        Q_EMIT editor().hint({QT_TRANSLATE_NOOP("Hint", "The blossom needs as many numbers as the degree")});
     showBlossom();
 }
 
