@@ -1,0 +1,178 @@
+#include "core/crossings/contact_search.h"
+
+#include "core/crossings/flattest_contact.h"
+#include "core/crossings/graph_gap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kriva {
+namespace {
+
+/// Halvings of both arcs together after which parameters differ by rounding only.
+constexpr int kDeepest = 100;
+
+/// From here on arcs are short enough for the second derivatives of graphs to be apart, if they ever are.
+constexpr int kBendsFromDepth = 2;
+
+/// The direction from the place to the first control point that differs, of length 1.
+Vector wayFrom(Point place, std::span<const Point> points, bool isAtBack) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vector way = points[isAtBack ? points.size() - 1 - i : i] - place;
+        if (way != Vector{})
+            return way / length(way);
+    }
+    return {};
+}
+
+/// Whether two arcs that are joined at an end of each lie on different sides of a line through the joint.
+bool meetOnlyAtJoint(const Arc& a, bool isAtBackOfA, const Arc& b, bool isAtBackOfB) {
+    const Point joint = isAtBackOfA ? a.back() : a.front();
+    const Point other = isAtBackOfB ? b.back() : b.front();
+    const Vector forward = wayFrom(other, b.polygon(), isAtBackOfB) - wayFrom(joint, a.polygon(), isAtBackOfA);
+    const auto isBehind = [&](Point p) { return p == joint || dot(forward, p - joint) < 0; };
+    const auto isAhead = [&](Point p) { return p == other || dot(forward, p - other) > 0; };
+    return std::ranges::all_of(a.polygon(), isBehind) && std::ranges::all_of(b.polygon(), isAhead);
+}
+
+bool isWithin(double t, double slack) {
+    return t >= -slack && t <= 1 + slack;
+}
+
+} // namespace
+
+void ContactSearch::search(const Arc& a, const Arc& b, std::vector<Contact>& found) {
+    found_ = &found;
+    cells_.clear();
+    visit(a, b, 0);
+    if (!cells_.empty())
+        uniteCells(a, b);
+}
+
+void ContactSearch::visit(const Arc& a, const Arc& b, int depth) {
+    if (!overlap(grown(a.box, scale_.touching), b.box) || areApart(a, b, scale_.touching))
+        return;
+    bool atJoint = false;
+    for (const Contact& joint : joints_) {
+        const bool atA = a.from == joint.a || a.to == joint.a;
+        const bool atB = b.from == joint.b || b.to == joint.b;
+        if (!atA || !atB)
+            continue;
+        atJoint = true;
+        if (meetOnlyAtJoint(a, a.to == joint.a, b, b.to == joint.b))
+            return;
+    }
+    if (decide(a, b, atJoint))
+        return;
+    if (depth == kDeepest || areWithinTouching(a, b)) {
+        cells_.push_back({a.from, a.to, b.from, b.to});
+        return;
+    }
+    if (a.size() >= b.size()) {
+        const auto [left, right] = halved(a);
+        visit(left, b, depth + 1);
+        visit(right, b, depth + 1);
+    } else {
+        const auto [left, right] = halved(b);
+        visit(a, left, depth + 1);
+        visit(a, right, depth + 1);
+    }
+}
+
+/// Whether all contacts of the two arcs are known; they are appended then.
+bool ContactSearch::decide(const Arc& a, const Arc& b, bool atJoint) {
+    const auto coneA = tangentCone(a);
+    const auto coneB = tangentCone(b);
+    if (!coneA || !coneB)
+        return false;
+    if (areTransversal(*coneA, *coneB)) {
+        if (atJoint)
+            return true;
+        const auto contact = crossing(a, b);
+        if (contact)
+            found_->push_back(*contact);
+        return contact.has_value();
+    }
+    const auto gap = GraphGap::between(a, b);
+    if (!gap || !gap->bendsOneWay())
+        return false;
+    const std::vector<Contact> contacts = gap->contacts(scale_.touching);
+    found_->insert(found_->end(), contacts.begin(), contacts.end());
+    return true;
+}
+
+/// Newton's method from where the chords meet. Nothing unless it arrives within both arcs.
+std::optional<Contact> ContactSearch::crossing(const Arc& a, const Arc& b) const {
+    double t = 0.5, s = 0.5;
+    for (int step = 0; step < 16; ++step) {
+        const ArcPoint p = evaluate(a, t);
+        const ArcPoint q = evaluate(b, s);
+        const Vector rest = q.at - p.at;
+        const double turn = cross(p.velocity, q.velocity);
+        if (turn == 0)
+            return {};
+        const double stepA = cross(rest, q.velocity) / turn;
+        const double stepB = cross(rest, p.velocity) / turn;
+        t += stepA;
+        s += stepB;
+        if (!isWithin(t, 1) || !isWithin(s, 1))
+            return {};
+        if (std::abs(stepA) + std::abs(stepB) > 1e-14)
+            continue;
+        const double onA = std::clamp(t, 0.0, 1.0), onB = std::clamp(s, 0.0, 1.0);
+        if ((onA != t || onB != s) &&
+            distance(evaluate(a, onA).at, evaluate(b, onB).at) > scale_.touching / 16)
+            return {};
+        return Contact{a.parameter(onA), b.parameter(onB)};
+    }
+    return {};
+}
+
+/// Whether one strip as wide as `touching` holds both.
+bool ContactSearch::areWithinTouching(const Arc& a, const Arc& b) const {
+    const Arc& longer = a.size() >= b.size() ? a : b;
+    if (longer.size() <= scale_.touching)
+        return true;
+    const double chord = length(longer.chord());
+    double low = 0, high = 0;
+    for (const Arc* arc : {&a, &b})
+        for (const Point p : arc->polygon()) {
+            const double aside = cross(longer.chord(), p - longer.front());
+            low = std::min(low, aside);
+            high = std::max(high, aside);
+        }
+    return chord >= longer.size() / 2 && high - low <= scale_.touching * chord;
+}
+
+/// Neighbouring cells are one contact.
+void ContactSearch::uniteCells(const Arc& a, const Arc& b) {
+    for (Cell& cell : cells_)
+        if (cell.bFrom > cell.bTo)
+            std::swap(cell.bFrom, cell.bTo);
+    std::ranges::sort(cells_, {}, &Cell::aFrom);
+    std::vector<Cell> united;
+    for (const Cell& cell : cells_) {
+        const auto isNeighbour = [&cell](const Cell& other) {
+            return cell.aFrom <= other.aTo && cell.bFrom <= other.bTo && other.bFrom <= cell.bTo;
+        };
+        const auto other = std::ranges::find_if(united, isNeighbour);
+        if (other == united.end()) {
+            united.push_back(cell);
+            continue;
+        }
+        other->aTo = std::max(other->aTo, cell.aTo);
+        other->bFrom = std::min(other->bFrom, cell.bFrom);
+        other->bTo = std::max(other->bTo, cell.bTo);
+    }
+    const auto own = [](const Arc& arc, double t) { return (t - arc.from) / (arc.to - arc.from); };
+    for (const Cell& cell : united) {
+        const double fromA = own(a, cell.aFrom), toA = own(a, cell.aTo);
+        const double fromB = own(b, cell.bFrom), toB = own(b, cell.bTo);
+        const Contact middle{fromA / 2 + toA / 2, fromB / 2 + toB / 2};
+        // A cusp has no tangent to look along; but then it is an end, and known as such.
+        const Contact contact = flattestContact(a, b, middle, (toA - fromA) / 2);
+        found_->push_back({a.parameter(contact.a), b.parameter(contact.b)});
+    }
+}
+
+} // namespace kriva

@@ -1,0 +1,157 @@
+#include "core/crossings/segment_contacts.h"
+
+#include "core/bezier/curvature.h"
+#include "core/bezier/evaluate.h"
+#include "core/crossings/common_parts.h"
+#include "core/crossings/contact_search.h"
+#include "core/crossings/passages.h"
+#include "core/polynomial/bernstein_polynomial.h"
+#include "core/polynomial/hodograph_forms.h"
+#include "core/polynomial/sign_changes.h"
+
+#include <algorithm>
+
+namespace kriva {
+namespace {
+
+/// A speed this part of the control polygon's length is none.
+constexpr double kNoSpeed = 1e-9;
+
+/// A parameter this close to an end is the end.
+constexpr double kEndNoise = 1e-10;
+
+std::vector<double> cuspsOf(std::span<const Point> segment, const Arc& arc) {
+    if (tangentCone(arc))
+        return {};
+    // Where the speed is least, its square turns from falling to rising.
+    const double unit = unitOf(segment);
+    const auto hodograph = hodographIn<double>(unit, segment);
+    const std::vector<double> least = signChanges(differentiated(speedSquared(hodograph)));
+    std::vector<double> cusps;
+    for (const double t : least)
+        if (length(derivative(segment, t)) <= kNoSpeed * polygonLength(segment))
+            cusps.push_back(t);
+    return cusps;
+}
+
+/// The ends of the segment and its cusps, ascending.
+std::vector<double> breaksOf(const CuspedArc& segment) {
+    std::vector<double> breaks{0};
+    breaks.insert(breaks.end(), segment.cusps.begin(), segment.cusps.end());
+    breaks.push_back(1);
+    return breaks;
+}
+
+/// Where a break of a lies on b.
+std::vector<Contact> breaksOn(const CuspedArc& a, const CuspedArc& b, double touching) {
+    std::vector<Contact> found;
+    for (const double t : breaksOf(a)) {
+        const Point place = t == 0 ? a.arc.front() : t == 1 ? a.arc.back() : evaluate(a.arc, t).at;
+        for (const double s : passagesThrough(b.arc, place, touching)) {
+            Contact contact{t, s};
+            for (const double end : breaksOf(b))
+                if (std::abs(s - end) <= kEndNoise)
+                    contact.b = end;
+            found.push_back(contact);
+        }
+    }
+    return found;
+}
+
+void appendNew(std::vector<Contact>& all, const Contact& contact) {
+    if (std::ranges::find(all, contact) == all.end())
+        all.push_back(contact);
+}
+
+/// Whether both segments stay within a place between two contacts.
+bool areOnePlace(const CuspedArc& a, const CuspedArc& b, Contact one, Contact other, double place) {
+    const auto stays = [place](const Arc& arc, double t, double s) {
+        return t == s || part(arc, std::min(t, s), std::max(t, s)).size() <= place;
+    };
+    return stays(a.arc, one.a, other.a) && stays(b.arc, one.b, other.b);
+}
+
+/// Whether the segments stay as close as touching between two contacts.
+bool touchBetween(const CuspedArc& a, const CuspedArc& b, Contact one, Contact other, double touching) {
+    for (const double share : {0.25, 0.5, 0.75}) {
+        const Point place = evaluate(a.arc, std::lerp(one.a, other.a, share)).at;
+        const Point beside = evaluate(b.arc, std::lerp(one.b, other.b, share)).at;
+        if (distance(place, beside) > touching && passagesThrough(b.arc, place, touching).empty())
+            return false;
+    }
+    return true;
+}
+
+/// The segment between the breaks, as arcs with parameters of the segment.
+std::vector<Arc> cutAt(const Arc& arc, std::vector<double> breaks) {
+    std::ranges::sort(breaks);
+    const auto repeated = std::ranges::unique(breaks);
+    breaks.erase(repeated.begin(), repeated.end());
+    std::vector<Arc> arcs;
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+        arcs.push_back(part(arc, breaks[i], breaks[i + 1]));
+    return arcs;
+}
+
+bool isInside(const Arc& arc, double from, double to) {
+    return arc.from >= std::min(from, to) && arc.to <= std::max(from, to);
+}
+
+} // namespace
+
+CuspedArc cuspedArcOf(std::span<const Point> segment, const ArcFrame& frame) {
+    const Arc arc = arcOf(segment, frame);
+    return {arc, cuspsOf(segment, arc)};
+}
+
+SegmentContacts contactsOf(const CuspedArc& a, const CuspedArc& b, std::span<const Contact> joints,
+                           const ContactScale& scale) {
+    if (!overlap(grown(a.arc.box, scale.touching), b.arc.box) || areApart(a.arc, b.arc, scale.touching))
+        return {};
+    SegmentContacts result;
+    std::vector<Contact> atBreaks(joints.begin(), joints.end());
+    for (const Contact& contact : breaksOn(a, b, scale.touching))
+        appendNew(atBreaks, contact);
+    for (const Contact& contact : breaksOn(b, a, scale.touching))
+        appendNew(atBreaks, {contact.b, contact.a});
+    if (atBreaks.size() > 1)
+        result.common = commonParts(a.arc, b.arc, atBreaks, scale);
+
+    std::vector<Contact> known(joints.begin(), joints.end());
+    std::vector<double> breaksA = breaksOf(a), breaksB = breaksOf(b);
+    for (const auto& [from, to] : result.common)
+        for (const Contact& end : {from, to}) {
+            known.push_back(end);
+            breaksA.push_back(end.a);
+            breaksB.push_back(end.b);
+        }
+    std::vector<Contact> found;
+    ContactSearch search(scale, known);
+    for (const Arc& one : cutAt(a.arc, std::move(breaksA)))
+        for (const Arc& other : cutAt(b.arc, breaksB)) {
+            const auto isCommon = [&](const CommonPart& common) {
+                return isInside(one, common.from.a, common.to.a) && isInside(other, common.from.b, common.to.b);
+            };
+            if (std::ranges::none_of(result.common, isCommon))
+                search.search(one, other, found);
+        }
+
+    const std::size_t inside = found.size();
+    for (const Contact& contact : atBreaks) {
+        const auto isSame = [&](const Contact& other) { return touchBetween(a, b, contact, other, scale.touching); };
+        if (std::none_of(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(inside), isSame))
+            found.push_back(contact);
+    }
+    for (const Contact& contact : found) {
+        const auto isSame = [&](const Contact& other) { return areOnePlace(a, b, contact, other, 4 * scale.place); };
+        const auto isOn = [&contact](const CommonPart& common) {
+            const auto [low, high] = std::minmax(common.from.b, common.to.b);
+            return contact.a >= common.from.a && contact.a <= common.to.a && contact.b >= low && contact.b <= high;
+        };
+        if (std::ranges::none_of(known, isSame) && std::ranges::none_of(result.common, isOn))
+            result.contacts.push_back(contact);
+    }
+    return result;
+}
+
+} // namespace kriva

@@ -1,0 +1,26 @@
+#include "core/crossings/sweep.h"
+
+#include <numeric>
+
+namespace kriva {
+
+void forEachOverlap(std::span<const Box> boxes, const std::function<void(std::size_t, std::size_t)>& meet) {
+    std::vector<std::size_t> order(boxes.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::ranges::sort(order, {}, [&](std::size_t i) { return boxes[i].xmin; });
+    std::vector<std::size_t> open; // boxes that reach the current x
+    for (const std::size_t i : order) {
+        std::size_t kept = 0;
+        for (const std::size_t j : open) {
+            if (boxes[j].xmax < boxes[i].xmin)
+                continue;
+            open[kept++] = j;
+            if (boxes[i].ymin <= boxes[j].ymax && boxes[j].ymin <= boxes[i].ymax)
+                meet(std::min(i, j), std::max(i, j));
+        }
+        open.resize(kept);
+        open.push_back(i);
+    }
+}
+
+} // namespace kriva
