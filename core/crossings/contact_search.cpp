@@ -170,7 +170,7 @@ void ContactSearch::uniteCells(const Arc& a, const Arc& b) {
         const double fromB = own(b, cell.bFrom), toB = own(b, cell.bTo);
         const Contact middle{fromA / 2 + toA / 2, fromB / 2 + toB / 2};
         // A cusp has no tangent to look along; but then it is an end, and known as such.
-        const Contact contact = flattestContact(a, b, middle, (toA - fromA) / 2);
+        const Contact contact = flattestContact(a, b, middle, kReach * (toA - fromA));
         found_->push_back({a.parameter(contact.a), b.parameter(contact.b)});
     }
 }

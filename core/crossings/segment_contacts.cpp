@@ -4,6 +4,7 @@
 #include "core/bezier/evaluate.h"
 #include "core/crossings/common_parts.h"
 #include "core/crossings/contact_search.h"
+#include "core/crossings/flattest_contact.h"
 #include "core/crossings/passages.h"
 #include "core/polynomial/bernstein_polynomial.h"
 #include "core/polynomial/hodograph_forms.h"
@@ -82,6 +83,20 @@ bool touchBetween(const CuspedArc& a, const CuspedArc& b, Contact one, Contact o
     return true;
 }
 
+/// The contacts in order along a, those between which the segments touch throughout as one, where they are flattest.
+std::vector<Contact> united(const CuspedArc& a, const CuspedArc& b, std::vector<Contact> contacts, double touching) {
+    std::ranges::sort(contacts, {}, &Contact::a);
+    std::vector<Contact> all;
+    for (std::size_t first = 0, last = 0; first < contacts.size(); first = last) {
+        last = first + 1;
+        while (last < contacts.size() && touchBetween(a, b, contacts[last - 1], contacts[last], touching))
+            ++last;
+        const double way = contacts[last - 1].a - contacts[first].a;
+        all.push_back(way == 0 ? contacts[first] : flattestContact(a.arc, b.arc, contacts[first], kReach * way));
+    }
+    return all;
+}
+
 /// The segment between the breaks, as arcs with parameters of the segment.
 std::vector<Arc> cutAt(const Arc& arc, std::vector<double> breaks) {
     std::ranges::sort(breaks);
@@ -136,6 +151,7 @@ SegmentContacts contactsOf(const CuspedArc& a, const CuspedArc& b, std::span<con
                 search.search(one, other, found);
         }
 
+    found = united(a, b, std::move(found), scale.touching);
     const std::size_t inside = found.size();
     for (const Contact& contact : atBreaks) {
         const auto isSame = [&](const Contact& other) { return touchBetween(a, b, contact, other, scale.touching); };
