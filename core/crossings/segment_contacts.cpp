@@ -72,15 +72,21 @@ bool areOnePlace(const CuspedArc& a, const CuspedArc& b, Contact one, Contact ot
     return stays(a.arc, one.a, other.a) && stays(b.arc, one.b, other.b);
 }
 
+/// Whether a place of one segment lies on the other between two of its parameters.
+bool isOnBetween(const Arc& arc, double from, double to, Point place, double touching) {
+    const auto isBetween = [low = std::min(from, to), high = std::max(from, to)](double t) {
+        return t >= low - kEndNoise && t <= high + kEndNoise;
+    };
+    return std::ranges::any_of(passagesThrough(arc, place, touching), isBetween);
+}
+
 /// Whether the segments stay as close as touching between two contacts.
-bool touchBetween(const CuspedArc& a, const CuspedArc& b, Contact one, Contact other, double touching) {
-    for (const double share : {0.25, 0.5, 0.75}) {
-        const Point place = evaluate(a.arc, std::lerp(one.a, other.a, share)).at;
-        const Point beside = evaluate(b.arc, std::lerp(one.b, other.b, share)).at;
-        if (distance(place, beside) > touching && passagesThrough(b.arc, place, touching).empty())
-            return false;
-    }
-    return true;
+bool touchBetween(const Arc& a, const Arc& b, Contact one, Contact other, double touching) {
+    return std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double share) {
+        const Point onA = evaluate(a, std::lerp(one.a, other.a, share)).at;
+        const Point onB = evaluate(b, std::lerp(one.b, other.b, share)).at;
+        return isOnBetween(b, one.b, other.b, onA, touching) && isOnBetween(a, one.a, other.a, onB, touching);
+    });
 }
 
 /// The contacts in order along a, those between which the segments touch throughout as one, where they are flattest.
@@ -89,7 +95,7 @@ std::vector<Contact> united(const CuspedArc& a, const CuspedArc& b, std::vector<
     std::vector<Contact> all;
     for (std::size_t first = 0, last = 0; first < contacts.size(); first = last) {
         last = first + 1;
-        while (last < contacts.size() && touchBetween(a, b, contacts[last - 1], contacts[last], touching))
+        while (last < contacts.size() && touchBetween(a.arc, b.arc, contacts[last - 1], contacts[last], touching))
             ++last;
         const double way = contacts[last - 1].a - contacts[first].a;
         all.push_back(way == 0 ? contacts[first] : flattestContact(a.arc, b.arc, contacts[first], kReach * way));
@@ -152,10 +158,15 @@ SegmentContacts contactsOf(const CuspedArc& a, const CuspedArc& b, std::span<con
         }
 
     found = united(a, b, std::move(found), scale.touching);
-    const std::size_t inside = found.size();
     for (const Contact& contact : atBreaks) {
-        const auto isSame = [&](const Contact& other) { return touchBetween(a, b, contact, other, scale.touching); };
-        if (std::none_of(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(inside), isSame))
+        const auto isSame = [&](const Contact& other) {
+            return touchBetween(a.arc, b.arc, contact, other, scale.touching);
+        };
+        // An end that lies on the other segment is a contact itself; one that just comes close gives way to a crossing.
+        const double gap = distance(evaluate(a.arc, contact.a).at, evaluate(b.arc, contact.b).at);
+        if (gap <= scale.touching / 16)
+            std::erase_if(found, isSame);
+        if (std::ranges::none_of(found, isSame))
             found.push_back(contact);
     }
     for (const Contact& contact : found) {
