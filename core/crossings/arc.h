@@ -76,4 +76,16 @@ struct TangentCone {
 /// Whether a straight strip between the two arcs is wider than the gap.
 [[nodiscard]] bool areApart(const Arc& a, const Arc& b, double gap);
 
+/// A place where two arcs meet, by the parameters of their segments.
+struct Contact {
+    double a = 0;
+    double b = 0;
+    friend constexpr bool operator==(const Contact&, const Contact&) = default;
+};
+
+/// How far apart two arcs are at their own parameters.
+[[nodiscard]] inline double gapAt(const Arc& a, const Arc& b, Contact contact) {
+    return distance(evaluate(a, contact.a).at, evaluate(b, contact.b).at);
+}
+
 } // namespace kriva

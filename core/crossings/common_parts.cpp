@@ -15,7 +15,9 @@ bool lieTogether(const Arc& a, const Arc& b, Contact from, Contact to, double to
     for (std::size_t i = 1; i <= samples; ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(samples + 1);
         const Point place = evaluate(a, std::lerp(from.a, to.a, share)).at;
-        const auto isOnTheWay = [&](double t) { return from.b < to.b ? t > reached && t < to.b : t < reached && t > to.b; };
+        const auto isOnTheWay = [&](double t) {
+            return from.b < to.b ? t > reached && t < to.b : t < reached && t > to.b;
+        };
         const std::vector<double> passages = passagesThrough(b, place, touching);
         const auto next = std::ranges::find_if(passages, isOnTheWay);
         if (next == passages.end())

@@ -120,8 +120,7 @@ std::optional<Contact> ContactSearch::crossing(const Arc& a, const Arc& b) const
         if (std::abs(stepA) + std::abs(stepB) > 1e-14)
             continue;
         const double onA = std::clamp(t, 0.0, 1.0), onB = std::clamp(s, 0.0, 1.0);
-        if ((onA != t || onB != s) &&
-            distance(evaluate(a, onA).at, evaluate(b, onB).at) > scale_.touching / 16)
+        if ((onA != t || onB != s) && distance(evaluate(a, onA).at, evaluate(b, onB).at) > scale_.touching / 16)
             return {};
         return Contact{a.parameter(onA), b.parameter(onB)};
     }
@@ -168,9 +167,13 @@ void ContactSearch::uniteCells(const Arc& a, const Arc& b) {
     for (const Cell& cell : united) {
         const double fromA = own(a, cell.aFrom), toA = own(a, cell.aTo);
         const double fromB = own(b, cell.bFrom), toB = own(b, cell.bTo);
-        const Contact middle{fromA / 2 + toA / 2, fromB / 2 + toB / 2};
-        // A cusp has no tangent to look along; but then it is an end, and known as such.
-        const Contact contact = flattestContact(a, b, middle, kReach * (toA - fromA));
+        // The arcs of a cell may just meet at an end.
+        Contact start{fromA / 2 + toA / 2, fromB / 2 + toB / 2};
+        for (const Contact& corner :
+             {Contact{fromA, fromB}, Contact{fromA, toB}, Contact{toA, fromB}, Contact{toA, toB}})
+            if (gapAt(a, b, corner) < gapAt(a, b, start))
+                start = corner;
+        const Contact contact = flattestContact(a, b, start, kReach * (toA - fromA));
         found_->push_back({a.parameter(contact.a), b.parameter(contact.b)});
     }
 }

@@ -6,7 +6,7 @@
 #include "core/crossings/chain_links.h"
 #include "core/crossings/double_points.h"
 #include "core/crossings/places.h"
-#include "core/crossings/sweep.h"
+#include "core/geometry/sweep.h"
 #include "core/polynomial/sign_changes.h"
 
 #include <algorithm>
@@ -63,8 +63,8 @@ class Search {
         if (!(diagonal_ > 0))
             return;
         // Coordinates far from the origin are given to one unit in their last place only.
-        const double largest = std::max({std::abs(bounds.xmin), std::abs(bounds.xmax), std::abs(bounds.ymin),
-                                         std::abs(bounds.ymax)});
+        const double largest =
+            std::max({std::abs(bounds.xmin), std::abs(bounds.xmax), std::abs(bounds.ymin), std::abs(bounds.ymax)});
         const double touching = kTouching * diagonal_ + largest * std::numeric_limits<double>::epsilon();
         frame_ = {bounds.centre(), std::exp2(std::floor(std::log2(diagonal_)))};
         scale_ = {touching / frame_.unit, std::max(kPlace * diagonal_, 4 * touching) / frame_.unit};

@@ -86,7 +86,8 @@ double besideOf(const Arc& b, Point at, double t) {
 } // namespace
 
 Contact flattestContact(const Arc& a, const Arc& b, Contact near, double reach) {
-    Contact contact{near.a, besideOf(b, evaluate(a, near.a).at, near.b)};
+    near.b = besideOf(b, evaluate(a, near.a).at, near.b);
+    Contact contact = near;
     for (int step = 0; step < 4; ++step) {
         const std::optional<Series> gap = gapSeries(a, b, contact);
         if (!gap)
@@ -101,7 +102,8 @@ Contact flattestContact(const Arc& a, const Arc& b, Contact near, double reach) 
         contact.a = std::clamp(contact.a + std::clamp(way, -reach, reach), 0.0, 1.0);
         contact.b = besideOf(b, evaluate(a, contact.a).at, contact.b);
     }
-    return contact;
+    // Beyond the end of a segment there is nothing to be flat against.
+    return gapAt(a, b, contact) <= gapAt(a, b, near) ? contact : near;
 }
 
 } // namespace kriva

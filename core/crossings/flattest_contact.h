@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/crossings/contact.h"
+#include "core/crossings/arc.h"
 
 namespace kriva {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/crossings/contact.h"
+#include "core/crossings/arc.h"
 #include "core/polynomial/bernstein_polynomial.h"
 
 namespace kriva {
@@ -19,8 +19,8 @@ class GraphGap {
     /// Whether the gap surely bends one way.
     [[nodiscard]] bool bendsOneWay() const;
 
-    /// Where the arcs meet, if the gap bends one way. Where they are parallel and as close as `touching` they meet once,
-    /// there.
+    /// Where the arcs meet, if the gap bends one way. Where they are parallel and as close as `touching` they meet
+    /// once, there.
     [[nodiscard]] std::vector<Contact> contacts(double touching) const;
 
   private:

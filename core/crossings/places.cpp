@@ -122,8 +122,7 @@ class Places {
         std::ranges::sort(entries, {}, &Entry::pass);
         std::vector<std::vector<Entry>> groups;
         const auto isPartner = [this](const std::vector<Entry>& group, const Entry& entry) {
-            return isLoop(entry.meeting) &&
-                   std::ranges::any_of(group, [&](const Entry& other) {
+            return isLoop(entry.meeting) && std::ranges::any_of(group, [&](const Entry& other) {
                        return other.meeting == entry.meeting && other.pass != entry.pass;
                    });
         };

@@ -21,6 +21,9 @@ constexpr double kNoSpeed = 1e-9;
 /// A parameter this close to an end is the end.
 constexpr double kEndNoise = 1e-10;
 
+/// Closer than this part of what counts as touching is on the curve, as far as rounding tells.
+constexpr double kOn = 1.0 / 16;
+
 std::vector<double> cuspsOf(std::span<const Point> segment, const Arc& arc) {
     if (tangentCone(arc))
         return {};
@@ -118,6 +121,66 @@ bool isInside(const Arc& arc, double from, double to) {
     return arc.from >= std::min(from, to) && arc.to <= std::max(from, to);
 }
 
+/// Two segments while their contacts are sought.
+struct Pair {
+    const CuspedArc& a;
+    const CuspedArc& b;
+    const ContactScale& scale;
+
+    /// Where a break of either lies on the other, after the joints.
+    [[nodiscard]] std::vector<Contact> contactsAtBreaks(std::span<const Contact> joints) const {
+        std::vector<Contact> contacts(joints.begin(), joints.end());
+        for (const Contact& contact : breaksOn(a, b, scale.touching))
+            appendNew(contacts, contact);
+        for (const Contact& contact : breaksOn(b, a, scale.touching))
+            appendNew(contacts, {contact.b, contact.a});
+        return contacts;
+    }
+
+    /// All contacts but those at breaks, outside of the common parts; `known` are joints and ends of common parts.
+    [[nodiscard]] std::vector<Contact> contactsBetweenBreaks(std::span<const CommonPart> common,
+                                                             std::span<const Contact> known) const {
+        std::vector<double> breaksA = breaksOf(a), breaksB = breaksOf(b);
+        for (const auto& [from, to] : common) {
+            breaksA.insert(breaksA.end(), {from.a, to.a});
+            breaksB.insert(breaksB.end(), {from.b, to.b});
+        }
+        const std::vector<Arc> others = cutAt(b.arc, std::move(breaksB));
+        std::vector<Contact> found;
+        ContactSearch search(scale, known);
+        for (const Arc& one : cutAt(a.arc, std::move(breaksA)))
+            for (const Arc& other : others) {
+                const auto areIn = [&](const CommonPart& part) {
+                    return isInside(one, part.from.a, part.to.a) && isInside(other, part.from.b, part.to.b);
+                };
+                if (std::ranges::none_of(common, areIn))
+                    search.search(one, other, found);
+            }
+        return united(a, b, std::move(found), scale.touching);
+    }
+
+    /// A break that lies on the other segment is a contact itself; one that just comes close gives way to a crossing.
+    void addAtBreak(const Contact& contact, std::vector<Contact>& found) const {
+        const auto isSame = [&](const Contact& other) {
+            return touchBetween(a.arc, b.arc, contact, other, scale.touching);
+        };
+        if (gapAt(a.arc, b.arc, contact) <= kOn * scale.touching)
+            std::erase_if(found, isSame);
+        if (std::ranges::none_of(found, isSame))
+            found.push_back(contact);
+    }
+
+    [[nodiscard]] bool isKnown(const Contact& contact, std::span<const CommonPart> common,
+                               std::span<const Contact> known) const {
+        const auto isSame = [&](const Contact& other) { return areOnePlace(a, b, contact, other, 4 * scale.place); };
+        const auto isOn = [&contact](const CommonPart& part) {
+            const auto [low, high] = std::minmax(part.from.b, part.to.b);
+            return contact.a >= part.from.a && contact.a <= part.to.a && contact.b >= low && contact.b <= high;
+        };
+        return std::ranges::any_of(known, isSame) || std::ranges::any_of(common, isOn);
+    }
+};
+
 } // namespace
 
 CuspedArc cuspedArcOf(std::span<const Point> segment, const ArcFrame& frame) {
@@ -129,55 +192,20 @@ SegmentContacts contactsOf(const CuspedArc& a, const CuspedArc& b, std::span<con
                            const ContactScale& scale) {
     if (!overlap(grown(a.arc.box, scale.touching), b.arc.box) || areApart(a.arc, b.arc, scale.touching))
         return {};
+    const Pair pair{a, b, scale};
+    const std::vector<Contact> atBreaks = pair.contactsAtBreaks(joints);
     SegmentContacts result;
-    std::vector<Contact> atBreaks(joints.begin(), joints.end());
-    for (const Contact& contact : breaksOn(a, b, scale.touching))
-        appendNew(atBreaks, contact);
-    for (const Contact& contact : breaksOn(b, a, scale.touching))
-        appendNew(atBreaks, {contact.b, contact.a});
     if (atBreaks.size() > 1)
         result.common = commonParts(a.arc, b.arc, atBreaks, scale);
-
     std::vector<Contact> known(joints.begin(), joints.end());
-    std::vector<double> breaksA = breaksOf(a), breaksB = breaksOf(b);
     for (const auto& [from, to] : result.common)
-        for (const Contact& end : {from, to}) {
-            known.push_back(end);
-            breaksA.push_back(end.a);
-            breaksB.push_back(end.b);
-        }
-    std::vector<Contact> found;
-    ContactSearch search(scale, known);
-    for (const Arc& one : cutAt(a.arc, std::move(breaksA)))
-        for (const Arc& other : cutAt(b.arc, breaksB)) {
-            const auto isCommon = [&](const CommonPart& common) {
-                return isInside(one, common.from.a, common.to.a) && isInside(other, common.from.b, common.to.b);
-            };
-            if (std::ranges::none_of(result.common, isCommon))
-                search.search(one, other, found);
-        }
-
-    found = united(a, b, std::move(found), scale.touching);
-    for (const Contact& contact : atBreaks) {
-        const auto isSame = [&](const Contact& other) {
-            return touchBetween(a.arc, b.arc, contact, other, scale.touching);
-        };
-        // An end that lies on the other segment is a contact itself; one that just comes close gives way to a crossing.
-        const double gap = distance(evaluate(a.arc, contact.a).at, evaluate(b.arc, contact.b).at);
-        if (gap <= scale.touching / 16)
-            std::erase_if(found, isSame);
-        if (std::ranges::none_of(found, isSame))
-            found.push_back(contact);
-    }
-    for (const Contact& contact : found) {
-        const auto isSame = [&](const Contact& other) { return areOnePlace(a, b, contact, other, 4 * scale.place); };
-        const auto isOn = [&contact](const CommonPart& common) {
-            const auto [low, high] = std::minmax(common.from.b, common.to.b);
-            return contact.a >= common.from.a && contact.a <= common.to.a && contact.b >= low && contact.b <= high;
-        };
-        if (std::ranges::none_of(known, isSame) && std::ranges::none_of(result.common, isOn))
+        known.insert(known.end(), {from, to});
+    std::vector<Contact> found = pair.contactsBetweenBreaks(result.common, known);
+    for (const Contact& contact : atBreaks)
+        pair.addAtBreak(contact, found);
+    for (const Contact& contact : found)
+        if (!pair.isKnown(contact, result.common, known))
             result.contacts.push_back(contact);
-    }
     return result;
 }
 

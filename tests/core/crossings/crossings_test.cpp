@@ -5,6 +5,7 @@
 #include "tests/support/any_curve.h"
 
 #include <gmock/gmock.h>
+
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
@@ -120,6 +121,14 @@ TEST(Crossings, aLoopIsCountedHoweverSmall) {
     }
 }
 
+TEST(Crossings, aCurveThatTouchesItselfIsOnePlace) {
+    const Points curve{{0, 3}, {3, 0}, {1, 3}, {0, 2}, {3, 1}};
+    const Crossings found = crossingsOf({{curve}});
+    ASSERT_THAT(found.places, SizeIs(2));
+    const double h = std::sqrt(1.0 / 12);
+    EXPECT_THAT(found.places[1].passes, ElementsAre(isTouch(0, 0, 0.5 - h), isTouch(0, 0, 0.5 + h)));
+}
+
 TEST(Crossings, aCuspIsNone) {
     EXPECT_THAT(crossingsOf({{{{0, 0}, {1, 1}, {0, 1}, {1, 0}}}}).places, IsEmpty());
     EXPECT_THAT(crossingsOf({{elevated(Points{{0, 0}, {1, 1}, {0, 1}, {1, 0}}, 2)}}).places, IsEmpty());
@@ -140,8 +149,8 @@ TEST(Crossings, aLineThroughACuspIsOnePlace) {
 }
 
 TEST(Crossings, threeCurvesThroughOnePlaceAreOneEntry) {
-    const Crossings found =
-        crossingsOf({{line({-1, -1}, {1, 1})}, {line({-1, 1}, {1, -1})}, {line({-1, 0}, {2, 0})}, {line({0, 3}, {0, -2})}});
+    const Crossings found = crossingsOf(
+        {{line({-1, -1}, {1, 1})}, {line({-1, 1}, {1, -1})}, {line({-1, 0}, {2, 0})}, {line({0, 3}, {0, -2})}});
     ASSERT_THAT(found.places, SizeIs(1));
     EXPECT_THAT(found.places[0].passes,
                 ElementsAre(isPass(0, 0, 0.5), isPass(1, 0, 0.5), isPass(2, 0, 1.0 / 3), isPass(3, 0, 0.6)));
@@ -184,8 +193,8 @@ TEST(Crossings, straightSegmentsThatTurnBackAreLeftOut) {
 }
 
 MATCHER_P4(isPart, curve, segment, from, to, "") {
-    return arg.curve == std::size_t(curve) && arg.segment == std::size_t(segment) && std::abs(arg.from - from) <= 1e-7 &&
-           std::abs(arg.to - to) <= 1e-7;
+    return arg.curve == std::size_t(curve) && arg.segment == std::size_t(segment) &&
+           std::abs(arg.from - from) <= 1e-7 && std::abs(arg.to - to) <= 1e-7;
 }
 
 TEST(Overlaps, partsOfOneCurveLieOnEachOther) {
@@ -243,7 +252,6 @@ TEST(Overlaps, aChainThatRunsBackLiesOnItself) {
     EXPECT_THAT(found.overlaps[0].passes, ElementsAre(isPart(0, 0, 0, 1), isPart(0, 1, 1, 0)));
     EXPECT_THAT(found.places, IsEmpty());
 }
-
 
 Chain anyChain(int degree) {
     Chain chain;

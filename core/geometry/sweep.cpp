@@ -1,4 +1,4 @@
-#include "core/crossings/sweep.h"
+#include "core/geometry/sweep.h"
 
 #include <numeric>
 
