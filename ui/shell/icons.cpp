@@ -4,6 +4,7 @@
 #include <QIconEngine>
 #include <QPainter>
 #include <QPalette>
+#include <QPixmapCache>
 #include <QSvgRenderer>
 
 #include <algorithm>
@@ -44,7 +45,10 @@ constexpr std::array kFiles = {"new",
                                "step-back",
                                "loop",
                                "visible",
-                               "hidden"};
+                               "hidden",
+                               "close",
+                               "float",
+                               "more"};
 
 [[nodiscard]] QPalette::ColorGroup groupOf(QIcon::Mode mode) {
     return mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
@@ -54,7 +58,7 @@ constexpr std::array kFiles = {"new",
     return mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::ButtonText;
 }
 
-/// Renders a drawing anew for every size, so that no pixel is ever scaled.
+/// Renders a drawing anew for every size, so that no pixel is ever scaled, and once for each size and colour.
 class SvgIcon : public QIconEngine {
   public:
     explicit SvgIcon(const QString& file)
@@ -63,15 +67,13 @@ class SvgIcon : public QIconEngine {
     [[nodiscard]] QIconEngine* clone() const override { return new SvgIcon(*this); }
 
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State) override {
-        QPixmap pixmap(size);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        const int side = std::min(size.width(), size.height());
-        const QRect square((size.width() - side) / 2, (size.height() - side) / 2, side, side);
-        QSvgRenderer(file_).render(&painter, square);
-        if (const auto color = tint(mode)) {
-            painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
-            painter.fillRect(pixmap.rect(), *color);
+        const std::optional<QColor> color = tint(mode);
+        const QString key = u"%1 %2x%3 %4"_s.arg(file_, QString::number(size.width()), QString::number(size.height()),
+                                                 color ? color->name(QColor::HexArgb) : QString());
+        QPixmap pixmap;
+        if (!QPixmapCache::find(key, &pixmap)) {
+            pixmap = rendered(size, color);
+            QPixmapCache::insert(key, pixmap);
         }
         return pixmap;
     }
@@ -85,6 +87,20 @@ class SvgIcon : public QIconEngine {
     [[nodiscard]] virtual std::optional<QColor> tint(QIcon::Mode) const { return std::nullopt; }
 
   private:
+    [[nodiscard]] QPixmap rendered(const QSize& size, const std::optional<QColor>& color) const {
+        QPixmap pixmap(size);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        const int side = std::min(size.width(), size.height());
+        const QRect square((size.width() - side) / 2, (size.height() - side) / 2, side, side);
+        QSvgRenderer(file_).render(&painter, square);
+        if (color) {
+            painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+            painter.fillRect(pixmap.rect(), *color);
+        }
+        return pixmap;
+    }
+
     QString file_;
 };
 

@@ -33,7 +33,10 @@ enum class IconName {
     StepBack,
     Loop,
     Visible,
-    Hidden
+    Hidden,
+    Close,
+    Float,
+    More
 };
 
 /// The icon in the text colour of buttons: that of `palette` if one is given, else that of the program when it is

@@ -1,6 +1,7 @@
 #include "ui/shell/theme.h"
 
 #include "ui/shell/desktop_scheme.h"
+#include "ui/shell/theme_style.h"
 
 #include <QApplication>
 
@@ -8,8 +9,6 @@
 #include <utility>
 
 namespace kriva::ui {
-
-using namespace Qt::StringLiterals;
 
 namespace {
 
@@ -81,10 +80,6 @@ constexpr Hues kDark = {.window = 0x26292d,
     return palette;
 }
 
-[[nodiscard]] bool looksDark(const QPalette& palette) {
-    return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
-}
-
 } // namespace
 
 QPalette lightPalette() {
@@ -95,13 +90,17 @@ QPalette darkPalette() {
     return paletteOf(kDark);
 }
 
+bool isDark(const QPalette& palette) {
+    return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
+}
+
 ThemeSwitch::ThemeSwitch(ThemeChoice theme, const DesktopScheme& desktop, QObject* parent)
     : QObject(parent)
     , desktop_(desktop)
     , theme_(theme)
-    , systemIsDark_(looksDark(QApplication::palette()))
+    , systemIsDark_(ui::isDark(QApplication::palette()))
     , shownDark_(isDark()) {
-    QApplication::setStyle(u"Fusion"_s);
+    QApplication::setStyle(new ThemeStyle);
     QApplication::setPalette(shownDark_ ? darkPalette() : lightPalette());
     connect(&desktop, &DesktopScheme::changed, this, &ThemeSwitch::apply);
 }

@@ -11,6 +11,7 @@ enum class ThemeChoice { System, Light, Dark };
 
 [[nodiscard]] QPalette lightPalette();
 [[nodiscard]] QPalette darkPalette();
+[[nodiscard]] bool isDark(const QPalette& palette);
 
 /// Gives the program's windows their colours, in the Fusion style; widgets take on new ones when the event loop turns.
 /// It needs a QApplication.

@@ -11,7 +11,7 @@
 namespace kriva::ui {
 namespace {
 
-constexpr auto kIconCount = static_cast<int>(IconName::Hidden) + 1;
+constexpr auto kIconCount = static_cast<int>(IconName::More) + 1;
 
 QImage imageOf(const QIcon& icon, int side, qreal ratio = 1, QIcon::Mode mode = QIcon::Normal) {
     return icon.pixmap(QSize(side, side), ratio, mode).toImage().convertToFormat(QImage::Format_ARGB32);
