@@ -274,6 +274,34 @@ TEST(Window, keepsItsDocumentWhereAFileIsRefused) {
     EXPECT_EQ(window.window.document().value(), startDocument());
 }
 
+TEST(Window, remembersThePanelsOfEachTabAlsoOfThoseThatWereNotShown) {
+    const auto points = [](TestWindow& window, SheetIndex sheet) {
+        return window.shown(sheet).findChild<QDockWidget*>(QStringLiteral("points"));
+    };
+    {
+        TestWindow window;
+        points(window, 2)->close();
+        window.window.close();
+    }
+    {
+        TestWindow window; // its tab for splines is never shown
+        points(window, 3)->close();
+        window.window.close();
+    }
+    TestWindow window;
+    EXPECT_TRUE(points(window, 0)->isVisible());
+    EXPECT_FALSE(points(window, 2)->isVisible());
+    EXPECT_FALSE(points(window, 3)->isVisible());
+    window.shown(2).resetPanels();
+    EXPECT_TRUE(points(window, 2)->isVisible());
+}
+
+TEST(Window, makesThePanelsOfATabWhenItIsFirstShown) {
+    TestWindow window;
+    EXPECT_EQ(window.window.tab(1).findChild<QDockWidget*>(), nullptr);
+    EXPECT_NE(window.shown(1).findChild<QDockWidget*>(), nullptr);
+}
+
 TEST(Window, opensEveryExample) {
     TestWindow window;
     for (const Example& example : examples()) {

@@ -22,12 +22,11 @@ constexpr int kPanelWidth = 260; // px, at least: room for a table of points wit
 SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, QWidget* parent)
     : QMainWindow(parent)
     , editor_(document, sheet)
-    , canvas_(new CanvasView(*this, this)) {
+    , canvas_(new CanvasView(*this, this))
+    , ui_(ui) {
     setWindowFlags(Qt::Widget); // a main window inside another: for its docks only
     setDockNestingEnabled(true);
     setCentralWidget(canvas_);
-    makePanels(ui);
-    firstLayout_ = saveState();
 
     connect(&document, &OpenDocument::replaced, this, [this] {
         showAllCurves();
@@ -48,13 +47,28 @@ SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, 
     retranslateUi();
 }
 
-void SheetTab::makePanels(const SheetUi& ui) {
+void SheetTab::setVisible(bool isVisible) {
+    if (isVisible)
+        makePanels();
+    QMainWindow::setVisible(isVisible);
+}
+
+void SheetTab::makePanels() {
+    if (!panels_.empty())
+        return;
+    fillPanels();
+    firstLayout_ = saveState();
+    restoreState(layout_);
+    retranslatePanels();
+}
+
+void SheetTab::fillPanels() {
     addPanel("curves", QT_TRANSLATE_NOOP("SheetTab", "Curves"), new CurvesPanel(editor_, this), Qt::LeftDockWidgetArea);
-    addPanel("points", QT_TRANSLATE_NOOP("SheetTab", "Points"), new PointsPanel(editor_, ui.pointColumns, this),
+    addPanel("points", QT_TRANSLATE_NOOP("SheetTab", "Points"), new PointsPanel(editor_, ui_.pointColumns, this),
              Qt::LeftDockWidgetArea);
     addPanel("layers", QT_TRANSLATE_NOOP("SheetTab", "Layers"), new LayersPanel(editor_, this), Qt::LeftDockWidgetArea);
     auto* properties = new PropertiesArea(this);
-    properties->setWidget(ui.makeProperties(editor_, properties));
+    properties->setWidget(ui_.makeProperties(editor_, properties));
     addPanel("properties", QT_TRANSLATE_NOOP("SheetTab", "Properties"), properties, Qt::RightDockWidgetArea);
     addPanel("results", QT_TRANSLATE_NOOP("SheetTab", "Results"), new ResultsPanel(editor_, this),
              Qt::RightDockWidgetArea);
@@ -78,7 +92,8 @@ void SheetTab::addPanel(const char* name, const char* title, QWidget* panel, Qt:
     panels_.push_back({dock, title, area});
 }
 
-QList<QAction*> SheetTab::panelActions() const {
+QList<QAction*> SheetTab::panelActions() {
+    makePanels();
     QList<QAction*> actions;
     for (const Panel& panel : panels_)
         actions.append(panel.dock->toggleViewAction());
@@ -86,7 +101,17 @@ QList<QAction*> SheetTab::panelActions() const {
 }
 
 void SheetTab::resetPanels() {
-    restoreState(firstLayout_);
+    setPanelLayout(firstLayout_);
+}
+
+QByteArray SheetTab::panelLayout() const {
+    return panels_.empty() ? layout_ : saveState();
+}
+
+void SheetTab::setPanelLayout(const QByteArray& layout) {
+    layout_ = layout;
+    if (!panels_.empty())
+        restoreState(layout);
 }
 
 void SheetTab::changeEvent(QEvent* event) {
@@ -96,9 +121,13 @@ void SheetTab::changeEvent(QEvent* event) {
 }
 
 void SheetTab::retranslateUi() {
+    retranslatePanels();
+    showAllCurves(); // numbers and captions on the canvas follow the language
+}
+
+void SheetTab::retranslatePanels() {
     for (const Panel& panel : panels_)
         panel.dock->setWindowTitle(QCoreApplication::translate("SheetTab", panel.title));
-    showAllCurves(); // numbers and captions on the canvas follow the language
 }
 
 CanvasCurve SheetTab::canvasCurve(Serial serial) const {

@@ -16,6 +16,14 @@
 #include <QShortcut>
 
 namespace kriva::ui {
+namespace {
+
+[[nodiscard]] QString sheetText(SheetIndex sheet) {
+    const std::string_view name = sheetName(sheet);
+    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+}
+
+} // namespace
 
 MainWindow::MainWindow(const Surroundings& surroundings)
     : surroundings_(surroundings)
@@ -54,6 +62,7 @@ MainWindow::~MainWindow() {
 void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
         auto* tab = new SheetTab(document_, sheet, sheets[sheet], this);
+        tab->setPanelLayout(surroundings_.preferences.panelLayout(sheetText(sheet)));
         tabs_.push_back(tab);
         tabWidget_->addTab(tab, QString());
         auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + sheet)), this);
@@ -219,6 +228,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     surroundings_.preferences.setWindowGeometry(saveGeometry());
+    for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet)
+        surroundings_.preferences.setPanelLayout(sheetText(sheet), tabs_[sheet]->panelLayout());
     event->accept();
 }
 

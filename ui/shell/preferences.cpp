@@ -91,8 +91,4 @@ void Preferences::setPanelLayout(const QString& tab, const QByteArray& layout) {
     settings_.setValue(layoutKey(tab), layout);
 }
 
-void Preferences::clearPanelLayout(const QString& tab) {
-    settings_.remove(layoutKey(tab));
-}
-
 } // namespace kriva::ui

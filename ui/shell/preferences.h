@@ -37,7 +37,6 @@ class Preferences {
     /// How the panels of a tab lie, as QMainWindow::saveState() gives it; empty at first.
     [[nodiscard]] QByteArray panelLayout(const QString& tab) const;
     void setPanelLayout(const QString& tab, const QByteArray& layout);
-    void clearPanelLayout(const QString& tab);
 
   private:
     QSettings settings_;

@@ -47,8 +47,6 @@ TEST_F(PreferencesTest, eachTabHasItsOwnPanels) {
     preferences.setPanelLayout(u"spline"_s, "a");
     preferences.setPanelLayout(u"combined"_s, "b");
     EXPECT_EQ(Preferences().panelLayout(u"spline"_s), "a");
-    preferences.clearPanelLayout(u"spline"_s);
-    EXPECT_TRUE(Preferences().panelLayout(u"spline"_s).isEmpty());
     EXPECT_EQ(Preferences().panelLayout(u"combined"_s), "b");
 }
 
