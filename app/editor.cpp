@@ -23,9 +23,10 @@ int runEditor(QApplication& application, const QStringList& files) {
     const auto open = [&](const QString& file) {
         auto* window = new ui::MainWindow(surroundings);
         window->setAttribute(Qt::WA_DeleteOnClose);
+        window->session().show(ui::startDocument()); // laid out once, before it is seen
         window->show();
-        if (file.isEmpty() || !window->session().openFile(file))
-            window->session().show(ui::startDocument());
+        if (!file.isEmpty())
+            window->session().openFile(file);
     };
     for (const QString& file : files)
         open(file);

@@ -1,5 +1,6 @@
 #include "ui/figures/figure_ink.h"
 
+#include <QFontDatabase>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QStringList>
@@ -11,6 +12,14 @@ namespace {
 
 [[nodiscard]] double widthOf(const QString& text, const QFont& font) {
     return QFontMetricsF(font).horizontalAdvance(text);
+}
+
+/// One family, for Qt ranks all fonts of the system as substitutes when it is given a list or a family that is not
+/// there. The last one is any serif.
+[[nodiscard]] QString firstInstalled(const QStringList& families) {
+    const auto found =
+        std::ranges::find_if(families, [](const QString& family) { return QFontDatabase::hasFamily(family); });
+    return found == families.end() ? families.last() : *found;
 }
 
 } // namespace
@@ -51,9 +60,9 @@ void paintMark(QPainter& painter, const RoleStyle& style, QPointF at, double poi
 }
 
 LabelFonts labelFonts(double pointSize) {
-    QFont text;
-    text.setFamilies(
+    static const QString family = firstInstalled(
         QString::fromUtf8(kTextFamily.data(), static_cast<qsizetype>(kTextFamily.size())).split(QStringLiteral(", ")));
+    QFont text(family);
     text.setPixelSize(std::max(1, qRound(kTextSize * pointSize)));
     LabelFonts fonts{text, text, text};
     fonts.variable.setItalic(true);
