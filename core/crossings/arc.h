@@ -76,6 +76,9 @@ struct TangentCone {
 /// Whether a straight strip between the two arcs is wider than the gap.
 [[nodiscard]] bool areApart(const Arc& a, const Arc& b, double gap);
 
+/// Closer than this part of what counts as touching is on a curve, as far as rounding tells.
+inline constexpr double kOn = 1.0 / 16;
+
 /// A place where two arcs meet, by the parameters of their segments.
 struct Contact {
     double a = 0;

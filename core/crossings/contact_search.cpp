@@ -12,8 +12,9 @@ namespace {
 /// Halvings of both arcs together after which parameters differ by rounding only.
 constexpr int kDeepest = 100;
 
-/// From here on arcs are short enough for the second derivatives of graphs to be apart, if they ever are.
-constexpr int kBendsFromDepth = 2;
+/// Arcs that may be a little farther apart than `touching` still count as touching all along: else the places where
+/// they are just that far apart would be halved without end.
+constexpr double kStillTouching = 1.5;
 
 /// The direction from the place to the first control point that differs, of length 1.
 Vector wayFrom(Point place, std::span<const Point> points, bool isAtBack) {
@@ -43,10 +44,7 @@ bool isWithin(double t, double slack) {
 
 void ContactSearch::search(const Arc& a, const Arc& b, std::vector<Contact>& found) {
     found_ = &found;
-    cells_.clear();
     visit(a, b, 0);
-    if (!cells_.empty())
-        uniteCells(a, b);
 }
 
 void ContactSearch::visit(const Arc& a, const Arc& b, int depth) {
@@ -65,7 +63,7 @@ void ContactSearch::visit(const Arc& a, const Arc& b, int depth) {
     if (decide(a, b, atJoint))
         return;
     if (depth == kDeepest || areWithinTouching(a, b)) {
-        cells_.push_back({a.from, a.to, b.from, b.to});
+        addTouching(a, b);
         return;
     }
     if (a.size() >= b.size()) {
@@ -94,10 +92,15 @@ bool ContactSearch::decide(const Arc& a, const Arc& b, bool atJoint) {
         return contact.has_value();
     }
     const auto gap = GraphGap::between(a, b);
-    if (!gap || !gap->bendsOneWay())
+    if (!gap)
         return false;
-    const std::vector<Contact> contacts = gap->contacts(scale_.touching);
-    found_->insert(found_->end(), contacts.begin(), contacts.end());
+    const auto contacts = gap->contacts(scale_.touching);
+    if (!contacts) {
+        if (gap->isWithin(kStillTouching * scale_.touching))
+            addTouching(a, b);
+        return gap->isWithin(kStillTouching * scale_.touching);
+    }
+    found_->insert(found_->end(), contacts->begin(), contacts->end());
     return true;
 }
 
@@ -120,7 +123,7 @@ std::optional<Contact> ContactSearch::crossing(const Arc& a, const Arc& b) const
         if (std::abs(stepA) + std::abs(stepB) > 1e-14)
             continue;
         const double onA = std::clamp(t, 0.0, 1.0), onB = std::clamp(s, 0.0, 1.0);
-        if ((onA != t || onB != s) && distance(evaluate(a, onA).at, evaluate(b, onB).at) > scale_.touching / 16)
+        if ((onA != t || onB != s) && distance(evaluate(a, onA).at, evaluate(b, onB).at) > scale_.touching * kOn)
             return {};
         return Contact{a.parameter(onA), b.parameter(onB)};
     }
@@ -143,39 +146,15 @@ bool ContactSearch::areWithinTouching(const Arc& a, const Arc& b) const {
     return chord >= longer.size() / 2 && high - low <= scale_.touching * chord;
 }
 
-/// Neighbouring cells are one contact.
-void ContactSearch::uniteCells(const Arc& a, const Arc& b) {
-    for (Cell& cell : cells_)
-        if (cell.bFrom > cell.bTo)
-            std::swap(cell.bFrom, cell.bTo);
-    std::ranges::sort(cells_, {}, &Cell::aFrom);
-    std::vector<Cell> united;
-    for (const Cell& cell : cells_) {
-        const auto isNeighbour = [&cell](const Cell& other) {
-            return cell.aFrom <= other.aTo && cell.bFrom <= other.bTo && other.bFrom <= cell.bTo;
-        };
-        const auto other = std::ranges::find_if(united, isNeighbour);
-        if (other == united.end()) {
-            united.push_back(cell);
-            continue;
-        }
-        other->aTo = std::max(other->aTo, cell.aTo);
-        other->bFrom = std::min(other->bFrom, cell.bFrom);
-        other->bTo = std::max(other->bTo, cell.bTo);
-    }
-    const auto own = [](const Arc& arc, double t) { return (t - arc.from) / (arc.to - arc.from); };
-    for (const Cell& cell : united) {
-        const double fromA = own(a, cell.aFrom), toA = own(a, cell.aTo);
-        const double fromB = own(b, cell.bFrom), toB = own(b, cell.bTo);
-        // The arcs of a cell may just meet at an end.
-        Contact start{fromA / 2 + toA / 2, fromB / 2 + toB / 2};
-        for (const Contact& corner :
-             {Contact{fromA, fromB}, Contact{fromA, toB}, Contact{toA, fromB}, Contact{toA, toB}})
-            if (gapAt(a, b, corner) < gapAt(a, b, start))
-                start = corner;
-        const Contact contact = flattestContact(a, b, start, kReach * (toA - fromA));
+/// The place where two arcs that touch all along are flattest against each other. They may also just meet at an end.
+void ContactSearch::addTouching(const Arc& a, const Arc& b) {
+    Contact start{0.5, 0.5};
+    for (const Contact& corner : {Contact{0, 0}, Contact{0, 1}, Contact{1, 0}, Contact{1, 1}})
+        if (gapAt(a, b, corner) < gapAt(a, b, start))
+            start = corner;
+    const Contact contact = flattestContact(a, b, start, 1);
+    if (gapAt(a, b, contact) <= scale_.touching)
         found_->push_back({a.parameter(contact.a), b.parameter(contact.b)});
-    }
 }
 
 } // namespace kriva

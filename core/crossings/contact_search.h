@@ -11,28 +11,19 @@ class ContactSearch {
         : scale_(scale)
         , joints_(joints) {}
 
-    /// Appends what it finds.
+    /// Appends what it finds; where the arcs touch along a stretch, several places of it.
     void search(const Arc& a, const Arc& b, std::vector<Contact>& found);
 
   private:
-    /// A pair of arcs that lie within `touching` throughout.
-    struct Cell {
-        double aFrom;
-        double aTo;
-        double bFrom;
-        double bTo;
-    };
-
     void visit(const Arc& a, const Arc& b, int depth);
     [[nodiscard]] bool decide(const Arc& a, const Arc& b, bool atJoint);
     [[nodiscard]] std::optional<Contact> crossing(const Arc& a, const Arc& b) const;
     [[nodiscard]] bool areWithinTouching(const Arc& a, const Arc& b) const;
-    void uniteCells(const Arc& a, const Arc& b);
+    void addTouching(const Arc& a, const Arc& b);
 
     ContactScale scale_;
     std::span<const Contact> joints_;
     std::vector<Contact>* found_ = nullptr;
-    std::vector<Cell> cells_;
 };
 
 } // namespace kriva

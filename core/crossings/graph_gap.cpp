@@ -8,6 +8,9 @@ namespace {
 
 constexpr double kRounding = std::numeric_limits<double>::epsilon();
 
+/// A gap below this may come from rounding: arcs are parts of a figure of about the size 1.
+constexpr double kGapNoise = 0x1p-48;
+
 struct ValueAndSlope {
     double value;
     double slope;
@@ -52,6 +55,10 @@ std::optional<GraphGap> GraphGap::between(const Arc& a, const Arc& b) {
         return {};
     gap.a_ = *one;
     gap.b_ = *other;
+    gap.xs_ = {std::max(one->x[0], other->x[0]), std::min(one->x[one->degree], other->x[other->degree])};
+    const Range bendA = bendOf(*one), bendB = bendOf(*other);
+    gap.bend_ = {bendB.low - bendA.high, bendB.high - bendA.low};
+    gap.middle_ = gap.at(gap.xs_.low / 2 + gap.xs_.high / 2);
     return gap;
 }
 
@@ -79,12 +86,6 @@ Range GraphGap::bendOf(const Graph& graph) {
     const double farthest = most * most * most / factor;
     return {turning.low / (turning.low < 0 ? nearest : farthest),
             turning.high / (turning.high > 0 ? nearest : farthest)};
-}
-
-bool GraphGap::bendsOneWay() const {
-    const Range a = bendOf(a_);
-    const Range b = bendOf(b_);
-    return a.high < b.low || b.high < a.low;
 }
 
 /// Newton's method within a bracket: x rises throughout.
@@ -149,17 +150,48 @@ double GraphGap::zeroBetween(double low, double high, Measure measure) const {
     return low / 2 + high / 2;
 }
 
-std::vector<Contact> GraphGap::contacts(double touching) const {
-    const double low = std::max(a_.x[0], b_.x[0]);
-    const double high = std::min(a_.x[a_.degree], b_.x[b_.degree]);
-    if (low > high)
+double GraphGap::deviation() const {
+    const double half = (xs_.high - xs_.low) / 2;
+    return half * (std::abs(middle_.slope) + half / 2 * std::max(-bend_.low, bend_.high));
+}
+
+bool GraphGap::isWithin(double distance) const {
+    return xs_.low <= xs_.high && std::abs(middle_.gap) + deviation() <= distance;
+}
+
+std::optional<std::vector<Contact>> GraphGap::contacts(double touching) const {
+    if (xs_.low > xs_.high || std::abs(middle_.gap) > touching + deviation())
+        return std::vector<Contact>();
+    if (bend_.low > 0)
+        return contactsOfConvex(1, touching);
+    if (bend_.high < 0)
+        return contactsOfConvex(-1, touching);
+    const double half = (xs_.high - xs_.low) / 2;
+    const double steepest = std::abs(middle_.slope) - half * std::max(-bend_.low, bend_.high);
+    if (half * steepest > kGapNoise)
+        return contactsOfSteep(touching * kOn);
+    return {};
+}
+
+/// The gap rises or falls throughout.
+std::vector<Contact> GraphGap::contactsOfSteep(double noise) const {
+    const double first = at(xs_.low).gap, last = at(xs_.high).gap;
+    if (std::abs(first) <= noise)
+        return {contactAt(xs_.low)};
+    if (std::abs(last) <= noise)
+        return {contactAt(xs_.high)};
+    if ((first > 0) == (last > 0))
         return {};
-    // A convex gap, whichever way it bends.
-    const double sign = bendOf(b_).low > bendOf(a_).high ? 1 : -1;
+    return {contactAt(zeroBetween(xs_.low, xs_.high, [](const Value& value) { return value.gap; }))};
+}
+
+/// The gap, times the sign, bends upwards throughout.
+std::vector<Contact> GraphGap::contactsOfConvex(double sign, double touching) const {
+    const auto [low, high] = xs_;
     const auto gap = [sign](const Value& value) { return sign * value.gap; };
     const auto slope = [sign](const Value& value) { return sign * value.slope; };
     // Where arcs meet just at their ends, rounding must not take the place from this arc and its neighbour both.
-    const double noise = touching / 16;
+    const double noise = touching * kOn;
     const Value first = at(low), last = at(high);
     const double lowest = slope(first) >= 0 ? low : slope(last) <= 0 ? high : zeroBetween(low, high, slope);
     const double least = gap(at(lowest));

@@ -7,21 +7,22 @@ namespace kriva {
 
 /// Two arcs as graphs over one direction, and the gap y_b(x) - y_a(x) between them.
 ///
-/// Where the second derivatives of the two graphs have no value in common, the gap bends one way throughout: the arcs
-/// then meet twice, touch once or do not meet, and which of them it is shows at the one place where they are parallel.
-/// That is the second system that tangent curves need, A' x B' = 0 at one x, and it is as well conditioned there as a
-/// plain crossing is elsewhere.
+/// Bounds of the second derivatives of both graphs bound how the gap bends. Where it bends one way throughout, the arcs
+/// meet twice, touch once or do not meet, and which of them it is shows at the one place where they are parallel: the
+/// second system that tangent curves need, A' x B' = 0 at one x, as well conditioned there as a plain crossing is
+/// elsewhere. Where it bends too little to turn or to close from what it is in the middle, they meet once at most or do
+/// not meet: that tells arcs apart that run beside each other, with an error of third order in their length.
 class GraphGap {
   public:
     /// Nothing where one of the arcs does not run along the chord of a throughout.
     [[nodiscard]] static std::optional<GraphGap> between(const Arc& a, const Arc& b);
 
-    /// Whether the gap surely bends one way.
-    [[nodiscard]] bool bendsOneWay() const;
+    /// Where the arcs meet, if the bounds tell. Where they are parallel and as close as `touching` they meet once,
+    /// there.
+    [[nodiscard]] std::optional<std::vector<Contact>> contacts(double touching) const;
 
-    /// Where the arcs meet, if the gap bends one way. Where they are parallel and as close as `touching` they meet
-    /// once, there.
-    [[nodiscard]] std::vector<Contact> contacts(double touching) const;
+    /// Whether the arcs surely stay within the distance of each other all along.
+    [[nodiscard]] bool isWithin(double distance) const;
 
   private:
     using Coefficients = std::array<double, Arc::kMostDegree + 1>;
@@ -45,11 +46,18 @@ class GraphGap {
     [[nodiscard]] static double parameterAt(const Graph& graph, double x);
     [[nodiscard]] Value at(double x) const;
     [[nodiscard]] Contact contactAt(double x) const;
+    /// How far the gap may be from that in the middle.
+    [[nodiscard]] double deviation() const;
+    [[nodiscard]] std::vector<Contact> contactsOfConvex(double sign, double touching) const;
+    [[nodiscard]] std::vector<Contact> contactsOfSteep(double noise) const;
     template <class Measure>
     [[nodiscard]] double zeroBetween(double low, double high, Measure measure) const;
 
     Graph a_;
     Graph b_;
+    Range xs_;     ///< where both are
+    Range bend_;   ///< of the gap
+    Value middle_; ///< in the middle of both
 };
 
 } // namespace kriva

@@ -21,9 +21,6 @@ constexpr double kNoSpeed = 1e-9;
 /// A parameter this close to an end is the end.
 constexpr double kEndNoise = 1e-10;
 
-/// Closer than this part of what counts as touching is on the curve, as far as rounding tells.
-constexpr double kOn = 1.0 / 16;
-
 std::vector<double> cuspsOf(std::span<const Point> segment, const Arc& arc) {
     if (tangentCone(arc))
         return {};

@@ -4,11 +4,10 @@
 #include "core/crossings/crossings.h"
 #include "tests/support/any_curve.h"
 
-#include <gmock/gmock.h>
-
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <gmock/gmock.h>
 
 namespace kriva {
 namespace {
@@ -98,6 +97,16 @@ TEST(Crossings, aCurveFlatToFourthOrderTouchesOnce) {
     const Crossings found = crossingsOf({{bowl}, {floor}});
     ASSERT_THAT(found.places, SizeIs(1));
     EXPECT_THAT(found.places[0].passes, ElementsAre(isTouch(0, 0, 0.5), isTouch(1, 0, 1.3 / 3.3)));
+}
+
+TEST(Crossings, curvesThatRunBesideEachOtherDoNotCross) {
+    const Points flat{{0, 0}, {1, 1}, {3, 1}, {4, 0}};
+    for (const double gap : {1e-3, 1e-6, 1e-8, 1e-10}) {
+        Points beside = flat;
+        for (Point& p : beside)
+            p.y += gap;
+        EXPECT_THAT(crossingsOf({{flat}, {beside}}).places, IsEmpty()) << gap;
+    }
 }
 
 TEST(Crossings, anEndOnAnotherCurveCounts) {
