@@ -6,6 +6,9 @@
 #include <QApplication>
 #include <QHashSeed>
 
+#include <fontconfig/fontconfig.h>
+#include <thread>
+
 namespace kriva::app {
 namespace {
 
@@ -58,7 +61,10 @@ int main(int argc, char** argv) {
     EditorRequest editor;
     if (const std::optional<ExitCode> code = runCommand(argc, argv, editor))
         return static_cast<int>(*code);
+    // Reading the system's list of fonts takes as long as meeting the display: both at once. Qt finds it read.
+    std::thread fonts([] { FcInit(); });
     QApplication application(argc, argv);
+    fonts.join();
     logToTerminal();
     return kriva::runEditor(application, editor.files);
 }
