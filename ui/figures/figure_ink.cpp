@@ -17,8 +17,13 @@ namespace {
 /// One family, for Qt ranks all fonts of the system as substitutes when it is given a list or a family that is not
 /// there. The last one is any serif.
 [[nodiscard]] QString firstInstalled(const QStringList& families) {
-    const auto found =
-        std::ranges::find_if(families, [](const QString& family) { return QFontDatabase::hasFamily(family); });
+    const QStringList installed = QFontDatabase::families();
+    const auto isInstalled = [&](const QString& family) {
+        const QString withFoundry = family + QStringLiteral(" ["); // how Qt tells namesakes apart
+        return std::ranges::any_of(installed,
+                                   [&](const QString& name) { return name == family || name.startsWith(withFoundry); });
+    };
+    const auto found = std::ranges::find_if(families, isInstalled);
     return found == families.end() ? families.last() : *found;
 }
 

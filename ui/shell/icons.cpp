@@ -104,6 +104,17 @@ class SvgIcon : public QIconEngine {
     QString file_;
 };
 
+/// The sign of the program. A window system is given all sizes of its windows' icons, drawn before the first of them is
+/// seen: these two are what title bars, task bars and switchers show.
+class Sign : public SvgIcon {
+  public:
+    Sign()
+        : SvgIcon(u"kriva"_s) {}
+
+    [[nodiscard]] QIconEngine* clone() const override { return new Sign(*this); }
+    QList<QSize> availableSizes(QIcon::Mode, QIcon::State) override { return {QSize(32, 32), QSize(64, 64)}; }
+};
+
 class TintedIcon : public SvgIcon {
   public:
     TintedIcon(IconName name, std::optional<QPalette> palette)
@@ -132,7 +143,7 @@ QIcon icon(IconName name, const QPalette& palette) {
 }
 
 QIcon applicationIcon() {
-    return QIcon(new SvgIcon(u"kriva"_s));
+    return QIcon(new Sign);
 }
 
 } // namespace kriva::ui
