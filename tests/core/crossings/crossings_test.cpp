@@ -4,6 +4,7 @@
 #include "core/crossings/crossings.h"
 #include "tests/support/any_curve.h"
 
+#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
