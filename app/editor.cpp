@@ -1,13 +1,13 @@
 #include "app/editor.h"
 
 #include "app/sheet_catalog.h"
-#include "ui/shell/desktop_scheme.h"
 #include "ui/shell/document_session.h"
 #include "ui/shell/examples.h"
-#include "ui/shell/language.h"
+#include "ui/shell/language/language.h"
+#include "ui/shell/look/desktop_scheme.h"
+#include "ui/shell/look/theme.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/preferences.h"
-#include "ui/shell/theme.h"
 
 #include <QApplication>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "ui/shell/language.h"
+#include "ui/shell/language/language.h"
 
 #include <QStringList>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/combined/combined_curve.h"
-#include "core/document/json_node.h"
-#include "core/document/json_writer.h"
+#include "core/document/json/json_node.h"
+#include "core/document/json/json_writer.h"
 
 namespace kriva {
 

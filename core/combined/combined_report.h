@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/combined/combined_curve.h"
-#include "core/document/json_writer.h"
+#include "core/document/json/json_writer.h"
 #include "core/document/results.h"
 
 namespace kriva {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/document/json_node.h"
-#include "core/document/json_writer.h"
+#include "core/document/json/json_node.h"
+#include "core/document/json/json_writer.h"
 #include "core/document/style.h"
 
 namespace kriva {

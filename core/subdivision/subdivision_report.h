@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/json_writer.h"
+#include "core/document/json/json_writer.h"
 #include "core/document/results.h"
 #include "core/subdivision/subdivision.h"
 

@@ -1,5 +1,5 @@
 #include "tests/support/test_window.h"
-#include "ui/panels/player.h"
+#include "ui/panels/controls/player.h"
 
 #include <gtest/gtest.h>
 #include <QFile>

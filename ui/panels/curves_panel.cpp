@@ -1,7 +1,7 @@
 #include "ui/panels/curves_panel.h"
 
 #include "ui/sheets/sheet_editor.h"
-#include "ui/shell/icons.h"
+#include "ui/shell/look/icons.h"
 
 #include <QColorDialog>
 #include <QEvent>

@@ -1,7 +1,7 @@
 #include "ui/panels/pasted_points.h"
 
 #include "core/document/limits.h"
-#include "ui/shell/number_text.h"
+#include "ui/shell/language/number_text.h"
 
 #include <QRegularExpression>
 #include <QStringList>

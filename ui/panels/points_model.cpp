@@ -1,7 +1,7 @@
 #include "ui/panels/points_model.h"
 
 #include "ui/sheets/sheet_editor.h"
-#include "ui/shell/number_text.h"
+#include "ui/shell/language/number_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>

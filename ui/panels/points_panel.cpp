@@ -1,10 +1,10 @@
 #include "ui/panels/points_panel.h"
 
 #include "core/document/limits.h"
-#include "ui/panels/number_field.h"
+#include "ui/panels/controls/number_field.h"
 #include "ui/panels/pasted_points.h"
 #include "ui/sheets/sheet_editor.h"
-#include "ui/shell/number_text.h"
+#include "ui/shell/language/number_text.h"
 
 #include <QClipboard>
 #include <QEvent>

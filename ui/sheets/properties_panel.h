@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/panels/slider_field.h"
+#include "ui/panels/controls/slider_field.h"
 #include "ui/sheets/sheet_editor.h"
 
 #include <QComboBox>

@@ -1,6 +1,6 @@
 #include "ui/shell/about_dialog.h"
 
-#include "ui/shell/icons.h"
+#include "ui/shell/look/icons.h"
 
 #include <QCoreApplication>
 #include <QDialogButtonBox>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/shell/icons.h"
+#include "ui/shell/look/icons.h"
 
 #include <QAction>
 #include <QObject>

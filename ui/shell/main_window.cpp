@@ -5,9 +5,9 @@
 #include "ui/shell/actions.h"
 #include "ui/shell/document_session.h"
 #include "ui/shell/export_figure.h"
+#include "ui/shell/language/qt_texts.h"
 #include "ui/shell/menus.h"
 #include "ui/shell/preferences.h"
-#include "ui/shell/qt_texts.h"
 #include "ui/shell/status_row.h"
 
 #include <QApplication>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/shell/language.h"
-#include "ui/shell/theme.h"
+#include "ui/shell/language/language.h"
+#include "ui/shell/look/theme.h"
 
 #include <QByteArray>
 #include <QSettings>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/json_tape.h"
+#include "core/document/json/json_tape.h"
 #include "core/document/limits.h"
 #include "core/geometry/point.h"
 

@@ -1,4 +1,4 @@
-#include "core/document/json_writer.h"
+#include "core/document/json/json_writer.h"
 
 #include <charconv>
 #include <cmath>

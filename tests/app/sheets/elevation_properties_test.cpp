@@ -1,6 +1,6 @@
 #include "tests/support/panel_test.h"
+#include "ui/panels/controls/player.h"
 #include "ui/panels/layers_panel.h"
-#include "ui/panels/player.h"
 #include "ui/sheets/properties_panel.h"
 
 namespace kriva::ui {

@@ -1,5 +1,5 @@
 #include "tests/support/panel_test.h"
-#include "ui/panels/player.h"
+#include "ui/panels/controls/player.h"
 #include "ui/sheets/properties_panel.h"
 
 #include <QSignalSpy>

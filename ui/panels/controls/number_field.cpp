@@ -1,6 +1,6 @@
-#include "ui/panels/number_field.h"
+#include "ui/panels/controls/number_field.h"
 
-#include "ui/shell/number_text.h"
+#include "ui/shell/language/number_text.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>

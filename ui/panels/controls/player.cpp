@@ -1,7 +1,7 @@
-#include "ui/panels/player.h"
+#include "ui/panels/controls/player.h"
 
-#include "ui/shell/icons.h"
-#include "ui/shell/number_text.h"
+#include "ui/shell/language/number_text.h"
+#include "ui/shell/look/icons.h"
 
 #include <QEvent>
 #include <QGridLayout>

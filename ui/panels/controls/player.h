@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/panels/player_clock.h"
+#include "ui/panels/controls/player_clock.h"
 
 #include <QLabel>
 #include <QSlider>

@@ -1,6 +1,6 @@
-#include "ui/panels/slider_field.h"
+#include "ui/panels/controls/slider_field.h"
 
-#include "ui/shell/number_text.h"
+#include "ui/shell/language/number_text.h"
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/panels/number_field.h"
+#include "ui/panels/controls/number_field.h"
 
 #include <QSlider>
 #include <QToolButton>

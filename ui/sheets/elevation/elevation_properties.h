@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/panels/player.h"
+#include "ui/panels/controls/player.h"
 #include "ui/sheets/properties_panel.h"
 
 namespace kriva::ui {

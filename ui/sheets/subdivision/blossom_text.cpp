@@ -1,7 +1,7 @@
 #include "ui/sheets/subdivision/blossom_text.h"
 
 #include "core/document/limits.h"
-#include "ui/shell/number_text.h"
+#include "ui/shell/language/number_text.h"
 
 #include <QRegularExpression>
 #include <QStringList>

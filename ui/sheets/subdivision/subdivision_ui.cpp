@@ -2,7 +2,7 @@
 
 #include "core/subdivision/subdivision_edits.h"
 #include "ui/sheets/subdivision/subdivision_properties.h"
-#include "ui/shell/number_text.h"
+#include "ui/shell/language/number_text.h"
 
 namespace kriva::ui {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/shell/number_text.h"
+#include "ui/shell/language/number_text.h"
 
 #include <algorithm>
 #include <array>

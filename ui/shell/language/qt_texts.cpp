@@ -1,4 +1,4 @@
-#include "ui/shell/qt_texts.h"
+#include "ui/shell/language/qt_texts.h"
 
 #include <QAbstractButton>
 #include <QDockWidget>

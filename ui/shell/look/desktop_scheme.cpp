@@ -1,4 +1,4 @@
-#include "ui/shell/desktop_scheme.h"
+#include "ui/shell/look/desktop_scheme.h"
 
 #include <QDBusConnection>
 #include <QDBusMessage>

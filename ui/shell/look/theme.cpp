@@ -1,7 +1,7 @@
-#include "ui/shell/theme.h"
+#include "ui/shell/look/theme.h"
 
-#include "ui/shell/desktop_scheme.h"
-#include "ui/shell/theme_style.h"
+#include "ui/shell/look/desktop_scheme.h"
+#include "ui/shell/look/theme_style.h"
 
 #include <QApplication>
 

@@ -1,7 +1,7 @@
-#include "ui/shell/theme_style.h"
+#include "ui/shell/look/theme_style.h"
 
-#include "ui/shell/icons.h"
-#include "ui/shell/theme.h"
+#include "ui/shell/look/icons.h"
+#include "ui/shell/look/theme.h"
 
 #include <QPainter>
 #include <QStyleOption>

@@ -1,4 +1,4 @@
-#include "core/document/json_node.h"
+#include "core/document/json/json_node.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/document/json_tape.h"
+#include "core/document/json/json_tape.h"
 
 #include <gtest/gtest.h>
 

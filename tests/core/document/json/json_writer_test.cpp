@@ -1,5 +1,5 @@
-#include "core/document/json_tape.h"
-#include "core/document/json_writer.h"
+#include "core/document/json/json_tape.h"
+#include "core/document/json/json_writer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/panels/number_field.h"
+#include "ui/panels/controls/number_field.h"
 
 #include <gtest/gtest.h>
 #include <QApplication>

@@ -1,4 +1,4 @@
-#include "ui/panels/player_clock.h"
+#include "ui/panels/controls/player_clock.h"
 
 #include <gmock/gmock.h>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "ui/shell/language.h"
+#include "ui/shell/language/language.h"
 
 #include <gtest/gtest.h>
 #include <QApplication>

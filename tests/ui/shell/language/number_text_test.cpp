@@ -1,4 +1,4 @@
-#include "ui/shell/number_text.h"
+#include "ui/shell/language/number_text.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "ui/shell/icons.h"
+#include "ui/shell/look/icons.h"
 
 #include <gtest/gtest.h>
 #include <QGuiApplication>

@@ -1,7 +1,7 @@
 #include "tests/support/contrast.h"
-#include "ui/shell/desktop_scheme.h"
-#include "ui/shell/theme.h"
-#include "ui/shell/theme_style.h"
+#include "ui/shell/look/desktop_scheme.h"
+#include "ui/shell/look/theme.h"
+#include "ui/shell/look/theme_style.h"
 
 #include <gtest/gtest.h>
 #include <QApplication>
