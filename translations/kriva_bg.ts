@@ -897,7 +897,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
-    <name>SheetTab</name>
+    <name>SheetPanels</name>
     <message>
         <source>Curves</source>
         <translation>Криви</translation>

@@ -899,7 +899,7 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
 </context>
 <context>
-    <name>SheetTab</name>
+    <name>SheetPanels</name>
     <message>
         <source>Curves</source>
         <translation>Krivulje</translation>

@@ -898,7 +898,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
-    <name>SheetTab</name>
+    <name>SheetPanels</name>
     <message>
         <source>Curves</source>
         <translation>Криві</translation>

@@ -24,7 +24,7 @@ struct BusyWindow {
             editor.deleteCurve(editor.activeSerial());
             editor.reverse();
             editor.placePoint(0, {0.125, -1});
-            for (QAction* panel : tab.panelActions())
+            for (QAction* panel : tab.panels().actions())
                 if (!panel->isChecked())
                     panel->trigger();
         }

@@ -1,21 +1,14 @@
 #include "ui/sheets/sheet_tab.h"
 
 #include "core/figure/page.h"
-#include "ui/panels/curves_panel.h"
-#include "ui/panels/history_panel.h"
-#include "ui/panels/layers_panel.h"
-#include "ui/panels/results_panel.h"
 #include "ui/sheets/hint_text.h"
-#include "ui/sheets/properties_area.h"
 
-#include <QCoreApplication>
 #include <QEvent>
 
 namespace kriva::ui {
 namespace {
 
 constexpr double kPixelsPerMillimetre = 96 / 25.4;
-constexpr int kPanelWidth = 260; // px, at least: room for a table of points with a column of the sheet's own
 
 } // namespace
 
@@ -23,7 +16,7 @@ SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, 
     : QMainWindow(parent)
     , editor_(document, sheet)
     , canvas_(new CanvasView(*this, this))
-    , ui_(ui) {
+    , panels_(*this, editor_, ui) {
     setWindowFlags(Qt::Widget); // a main window inside another: for its docks only
     setDockNestingEnabled(true);
     setCentralWidget(canvas_);
@@ -49,69 +42,8 @@ SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, 
 
 void SheetTab::setVisible(bool isVisible) {
     if (isVisible)
-        makePanels();
+        panels_.make();
     QMainWindow::setVisible(isVisible);
-}
-
-void SheetTab::makePanels() {
-    if (!panels_.empty())
-        return;
-    fillPanels();
-    firstLayout_ = saveState();
-    restoreState(layout_);
-    retranslatePanels();
-}
-
-void SheetTab::fillPanels() {
-    addPanel("curves", QT_TRANSLATE_NOOP("SheetTab", "Curves"), new CurvesPanel(editor_, this), Qt::LeftDockWidgetArea);
-    addPanel("points", QT_TRANSLATE_NOOP("SheetTab", "Points"), new PointsPanel(editor_, ui_.pointColumns, this),
-             Qt::LeftDockWidgetArea);
-    addPanel("layers", QT_TRANSLATE_NOOP("SheetTab", "Layers"), new LayersPanel(editor_, this), Qt::LeftDockWidgetArea);
-    auto* properties = new PropertiesArea(this);
-    properties->setWidget(ui_.makeProperties(editor_, properties));
-    addPanel("properties", QT_TRANSLATE_NOOP("SheetTab", "Properties"), properties, Qt::RightDockWidgetArea);
-    addPanel("results", QT_TRANSLATE_NOOP("SheetTab", "Results"), new ResultsPanel(editor_, this),
-             Qt::RightDockWidgetArea);
-    addPanel("history", QT_TRANSLATE_NOOP("SheetTab", "History"), new HistoryPanel(editor_, this),
-             Qt::RightDockWidgetArea);
-    for (const Panel& panel : panels_)
-        if (panel.dock->widget() != properties) // they know their own width
-            panel.dock->widget()->setMinimumWidth(kPanelWidth);
-    // Layers and history are looked at now and then: they wait behind their neighbours.
-    tabifyDockWidget(panels_[0].dock, panels_[2].dock);
-    tabifyDockWidget(panels_[4].dock, panels_[5].dock);
-    panels_[0].dock->raise();
-    panels_[4].dock->raise();
-}
-
-void SheetTab::addPanel(const char* name, const char* title, QWidget* panel, Qt::DockWidgetArea area) {
-    auto* dock = new QDockWidget(this);
-    dock->setObjectName(QString::fromLatin1(name));
-    dock->setWidget(panel);
-    addDockWidget(area, dock);
-    panels_.push_back({dock, title, area});
-}
-
-QList<QAction*> SheetTab::panelActions() {
-    makePanels();
-    QList<QAction*> actions;
-    for (const Panel& panel : panels_)
-        actions.append(panel.dock->toggleViewAction());
-    return actions;
-}
-
-void SheetTab::resetPanels() {
-    setPanelLayout(firstLayout_);
-}
-
-QByteArray SheetTab::panelLayout() const {
-    return panels_.empty() ? layout_ : saveState();
-}
-
-void SheetTab::setPanelLayout(const QByteArray& layout) {
-    layout_ = layout;
-    if (!panels_.empty())
-        restoreState(layout);
 }
 
 void SheetTab::changeEvent(QEvent* event) {
@@ -121,13 +53,8 @@ void SheetTab::changeEvent(QEvent* event) {
 }
 
 void SheetTab::retranslateUi() {
-    retranslatePanels();
+    panels_.retranslateUi();
     showAllCurves(); // numbers and captions on the canvas follow the language
-}
-
-void SheetTab::retranslatePanels() {
-    for (const Panel& panel : panels_)
-        panel.dock->setWindowTitle(QCoreApplication::translate("SheetTab", panel.title));
 }
 
 CanvasCurve SheetTab::canvasCurve(Serial serial) const {

@@ -4,16 +4,12 @@
 #include "ui/canvas/canvas_view.h"
 #include "ui/sheets/sheet_drag.h"
 #include "ui/sheets/sheet_editor.h"
-#include "ui/sheets/sheet_ui.h"
-
-#include <QDockWidget>
-#include <QMainWindow>
+#include "ui/sheets/sheet_panels.h"
 
 namespace kriva::ui {
 
 /// One tab: the canvas of a sheet with its dockable panels. It carries out what a person does on the canvas and keeps
-/// the canvas showing what the sheet editor has on view. The panels are made when the tab is first shown: a window
-/// starts with one tab in sight and four to make.
+/// the canvas showing what the sheet editor has on view.
 class SheetTab : public QMainWindow, private CanvasClient {
     Q_OBJECT
   public:
@@ -24,13 +20,7 @@ class SheetTab : public QMainWindow, private CanvasClient {
 
     [[nodiscard]] CanvasView& canvas() { return *canvas_; }
     [[nodiscard]] SheetEditor& editor() { return editor_; }
-    /// What turns this tab's panels on and off, in the order of the menu.
-    [[nodiscard]] QList<QAction*> panelActions();
-    void resetPanels();
-    /// How the panels lie, as saveState gives it.
-    [[nodiscard]] QByteArray panelLayout() const;
-    /// A layout from panelLayout; where it is none, the panels stay where they are.
-    void setPanelLayout(const QByteArray& layout);
+    [[nodiscard]] SheetPanels& panels() { return panels_; }
 
   Q_SIGNALS:
     /// A text for the status row about what lies under the pointer; empty where there is nothing to say.
@@ -59,11 +49,7 @@ class SheetTab : public QMainWindow, private CanvasClient {
     void nudge(Vector by) override;
     void hover(const Hit& under, Point at, Qt::KeyboardModifiers modifiers) override;
 
-    void makePanels();
-    void fillPanels();
-    void addPanel(const char* name, const char* title, QWidget* panel, Qt::DockWidgetArea area);
     void retranslateUi();
-    void retranslatePanels();
     [[nodiscard]] CanvasCurve canvasCurve(Serial serial) const;
     void showAllCurves();
     /// 100 % is the size of the page at 96 dpi. A page grows with its curves, but not under the pointer: only a new
@@ -71,19 +57,10 @@ class SheetTab : public QMainWindow, private CanvasClient {
     void followPage();
     void updateCurve(Serial serial);
 
-    struct Panel {
-        QDockWidget* dock;
-        const char* title;
-        Qt::DockWidgetArea area;
-    };
-
     SheetEditor editor_;
     SheetDrag drag_{editor_};
     CanvasView* canvas_;
-    const SheetUi& ui_;
-    std::vector<Panel> panels_;
-    QByteArray firstLayout_;
-    QByteArray layout_; ///< for the panels once they are made
+    SheetPanels panels_;
 };
 
 } // namespace kriva::ui

@@ -62,7 +62,7 @@ MainWindow::~MainWindow() {
 void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
         auto* tab = new SheetTab(document_, sheet, sheets[sheet], this);
-        tab->setPanelLayout(surroundings_.preferences.panelLayout(sheetText(sheet)));
+        tab->panels().setLayout(surroundings_.preferences.panelLayout(sheetText(sheet)));
         tabs_.push_back(tab);
         tabWidget_->addTab(tab, QString());
         auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + sheet)), this);
@@ -157,7 +157,7 @@ void MainWindow::connectViewActions() {
     connect(actions_->addTool, &QAction::triggered, this, [this] { currentTab().canvas().setTool(Tool::add); });
     connect(actions_->grid, &QAction::triggered, this, [this](bool on) { currentTab().canvas().setGridShown(on); });
     connect(actions_->axes, &QAction::triggered, this, [this](bool on) { currentTab().canvas().setAxesShown(on); });
-    connect(actions_->resetPanels, &QAction::triggered, this, [this] { currentTab().resetPanels(); });
+    connect(actions_->resetPanels, &QAction::triggered, this, [this] { currentTab().panels().reset(); });
     connect(actions_->fullScreen, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
 }
 
@@ -181,7 +181,7 @@ void MainWindow::retranslateUi() {
 void MainWindow::followTab() {
     const SheetIndex sheet = document_.value().active;
     tabWidget_->setCurrentIndex(static_cast<int>(sheet));
-    menus_->setPanels(tabs_[sheet]->panelActions());
+    menus_->setPanels(tabs_[sheet]->panels().actions());
     CanvasView& canvas = tabs_[sheet]->canvas();
     actions_->editTool->setChecked(canvas.tool() == Tool::edit);
     actions_->addTool->setChecked(canvas.tool() == Tool::add);
@@ -229,7 +229,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     surroundings_.preferences.setWindowGeometry(saveGeometry());
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet)
-        surroundings_.preferences.setPanelLayout(sheetText(sheet), tabs_[sheet]->panelLayout());
+        surroundings_.preferences.setPanelLayout(sheetText(sheet), tabs_[sheet]->panels().layout());
     event->accept();
 }
 

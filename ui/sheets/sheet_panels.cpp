@@ -1,0 +1,89 @@
+#include "ui/sheets/sheet_panels.h"
+
+#include "ui/panels/curves_panel.h"
+#include "ui/panels/history_panel.h"
+#include "ui/panels/layers_panel.h"
+#include "ui/panels/results_panel.h"
+#include "ui/sheets/properties_area.h"
+
+#include <QCoreApplication>
+
+namespace kriva::ui {
+namespace {
+
+constexpr int kPanelWidth = 260; // px, at least: room for a table of points with a column of the sheet's own
+
+} // namespace
+
+SheetPanels::SheetPanels(QMainWindow& tab, SheetEditor& editor, const SheetUi& ui)
+    : tab_(tab)
+    , editor_(editor)
+    , ui_(ui) {}
+
+void SheetPanels::make() {
+    if (!panels_.empty())
+        return;
+    fill();
+    firstLayout_ = tab_.saveState();
+    tab_.restoreState(layout_);
+    retranslateUi();
+}
+
+void SheetPanels::fill() {
+    add("curves", QT_TRANSLATE_NOOP("SheetPanels", "Curves"), new CurvesPanel(editor_, &tab_), Qt::LeftDockWidgetArea);
+    add("points", QT_TRANSLATE_NOOP("SheetPanels", "Points"), new PointsPanel(editor_, ui_.pointColumns, &tab_),
+        Qt::LeftDockWidgetArea);
+    add("layers", QT_TRANSLATE_NOOP("SheetPanels", "Layers"), new LayersPanel(editor_, &tab_), Qt::LeftDockWidgetArea);
+    auto* properties = new PropertiesArea(&tab_);
+    properties->setWidget(ui_.makeProperties(editor_, properties));
+    add("properties", QT_TRANSLATE_NOOP("SheetPanels", "Properties"), properties, Qt::RightDockWidgetArea);
+    add("results", QT_TRANSLATE_NOOP("SheetPanels", "Results"), new ResultsPanel(editor_, &tab_),
+        Qt::RightDockWidgetArea);
+    add("history", QT_TRANSLATE_NOOP("SheetPanels", "History"), new HistoryPanel(editor_, &tab_),
+        Qt::RightDockWidgetArea);
+    for (const Panel& panel : panels_)
+        if (panel.dock->widget() != properties) // they know their own width
+            panel.dock->widget()->setMinimumWidth(kPanelWidth);
+    // Layers and history are looked at now and then: they wait behind their neighbours.
+    tab_.tabifyDockWidget(panels_[0].dock, panels_[2].dock);
+    tab_.tabifyDockWidget(panels_[4].dock, panels_[5].dock);
+    panels_[0].dock->raise();
+    panels_[4].dock->raise();
+}
+
+void SheetPanels::add(const char* name, const char* title, QWidget* widget, Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(&tab_);
+    dock->setObjectName(QString::fromLatin1(name));
+    dock->setWidget(widget);
+    tab_.addDockWidget(area, dock);
+    panels_.push_back({dock, title});
+}
+
+QList<QAction*> SheetPanels::actions() {
+    make();
+    QList<QAction*> actions;
+    for (const Panel& panel : panels_)
+        actions.append(panel.dock->toggleViewAction());
+    return actions;
+}
+
+QByteArray SheetPanels::layout() const {
+    return panels_.empty() ? layout_ : tab_.saveState();
+}
+
+void SheetPanels::setLayout(const QByteArray& layout) {
+    layout_ = layout;
+    if (!panels_.empty())
+        tab_.restoreState(layout);
+}
+
+void SheetPanels::reset() {
+    setLayout(firstLayout_);
+}
+
+void SheetPanels::retranslateUi() {
+    for (const Panel& panel : panels_)
+        panel.dock->setWindowTitle(QCoreApplication::translate("SheetPanels", panel.title));
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ui/sheets/sheet_editor.h"
+#include "ui/sheets/sheet_ui.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+
+namespace kriva::ui {
+
+/// The dockable panels of a tab. They are made when the tab is first shown: a window starts with one tab in sight.
+class SheetPanels {
+  public:
+    /// All of them outlive this.
+    SheetPanels(QMainWindow& tab, SheetEditor& editor, const SheetUi& ui);
+
+    /// Where that has not been done.
+    void make();
+    /// What turns the panels on and off, in the order of the menu.
+    [[nodiscard]] QList<QAction*> actions();
+    /// How the panels lie, as QMainWindow::saveState() gives it.
+    [[nodiscard]] QByteArray layout() const;
+    /// Where it is no layout, the panels stay where they are.
+    void setLayout(const QByteArray& layout);
+    void reset();
+    void retranslateUi();
+
+  private:
+    struct Panel {
+        QDockWidget* dock;
+        const char* title; ///< marked with QT_TRANSLATE_NOOP("SheetPanels", ...)
+    };
+    void fill();
+    void add(const char* name, const char* title, QWidget* widget, Qt::DockWidgetArea area);
+
+    QMainWindow& tab_;
+    SheetEditor& editor_;
+    const SheetUi& ui_;
+    std::vector<Panel> panels_;
+    QByteArray firstLayout_;
+    QByteArray layout_; ///< for the panels once they are made
+};
+
+} // namespace kriva::ui
