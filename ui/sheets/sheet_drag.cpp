@@ -36,9 +36,11 @@ void SheetDrag::beginAdding(Point at) {
 }
 
 void SheetDrag::beginGesture(Serial serial, const StepLabel& label) {
+    OpenDocument& document = editor_.document();
     editor_.setStage({});
-    editor_.document().beginGesture(editor_.index(), serial, label);
-    start_ = editor_.document().gestureStart();
+    document.beginGesture(editor_.index(), serial, label);
+    if (document.hasGesture())
+        start_ = document.gestureStart();
 }
 
 void SheetDrag::move(Vector by) {

@@ -39,7 +39,8 @@ QColor frameOf(const QImage& image, const QColor& window) {
 // WCAG 2.1, 1.4.11, asks 3 to 1 of what shows that something is there to be clicked.
 TEST(ThemeStyle, emptyBoxesCanBeSeenInTheDark) {
     const QPalette palette = darkPalette();
-    for (const auto element : {QStyle::PE_IndicatorCheckBox, QStyle::PE_IndicatorRadioButton}) {
+    for (const auto element :
+         {QStyle::PE_IndicatorCheckBox, QStyle::PE_IndicatorRadioButton, QStyle::PE_IndicatorItemViewItemCheck}) {
         const QImage image = empty(element, palette);
         const QColor frame = frameOf(image, palette.color(QPalette::Window));
         EXPECT_GE(contrast(frame, palette.color(QPalette::Window)), 3);
