@@ -322,6 +322,22 @@
         <source>open end</source>
         <translation>свободен край</translation>
     </message>
+    <message>
+        <source>Crossings</source>
+        <translation>Пресичания</translation>
+    </message>
+    <message>
+        <source>Crossings of the sheet</source>
+        <translation>Пресичания в листа</translation>
+    </message>
+    <message>
+        <source>Crossing</source>
+        <translation>Пресичане</translation>
+    </message>
+    <message>
+        <source>Overlaps of the sheet</source>
+        <translation>Припокривания в листа</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>

@@ -322,6 +322,22 @@
         <source>open end</source>
         <translation>prosto krajišče</translation>
     </message>
+    <message>
+        <source>Crossings</source>
+        <translation>Presečišča</translation>
+    </message>
+    <message>
+        <source>Crossings of the sheet</source>
+        <translation>Presečišča na listu</translation>
+    </message>
+    <message>
+        <source>Crossing</source>
+        <translation>Presečišče</translation>
+    </message>
+    <message>
+        <source>Overlaps of the sheet</source>
+        <translation>Prekrivanja na listu</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>

@@ -322,6 +322,22 @@
         <source>open end</source>
         <translation>вільний кінець</translation>
     </message>
+    <message>
+        <source>Crossings</source>
+        <translation>Перетини</translation>
+    </message>
+    <message>
+        <source>Crossings of the sheet</source>
+        <translation>Перетини на аркуші</translation>
+    </message>
+    <message>
+        <source>Crossing</source>
+        <translation>Перетин</translation>
+    </message>
+    <message>
+        <source>Overlaps of the sheet</source>
+        <translation>Накладання на аркуші</translation>
+    </message>
 </context>
 <context>
     <name>CommandLine</name>

@@ -44,7 +44,7 @@ QString sheetTable(const Sheet& sheet, SheetIndex index) {
         text += isIncomplete(curve) ? QStringLiteral("    %1\n").arg(ui::captionText(Caption::incomplete))
                                     : table(results(curve));
     }
-    return text;
+    return text + table(relationsOf(sheet, index).results);
 }
 
 } // namespace

@@ -162,7 +162,18 @@ std::vector<Result> results(const Curve& curve) {
     return std::visit([](const auto& c) { return results(c); }, curve);
 }
 
-Figure figureOf(const Sheet& sheet, SheetIndex index) {
+Relations relationsOf(const Sheet& sheet, SheetIndex index) {
+    return std::visit(
+        [&]<class C>(const C&) -> Relations {
+            if constexpr (requires(std::span<const C* const> curves) { relationsOf(curves); })
+                return relationsOf(std::span<const C* const>(curvesOf<C>(sheet)));
+            else
+                return {};
+        },
+        kinds()[index]);
+}
+
+Figure figureOfCurves(const Sheet& sheet, SheetIndex index) {
     std::vector<Figure> figures;
     for (std::size_t i = 0; i < sheet.curves.size(); ++i) {
         if (!viewOf(sheet.curves[i]).isShown)
@@ -171,6 +182,12 @@ Figure figureOf(const Sheet& sheet, SheetIndex index) {
         figures.push_back(shownLayers(figureOf(sheet.curves[i], context), layersOf(index), sheet.view, context));
     }
     return united(std::move(figures), layersOf(index));
+}
+
+Figure figureOf(const Sheet& sheet, SheetIndex index) {
+    const std::span<const LayerInfo> layers = layersOf(index);
+    return united({figureOfCurves(sheet, index), shownLayers(relationsOf(sheet, index).figure, layers, sheet.view, {})},
+                  layers);
 }
 
 } // namespace kriva

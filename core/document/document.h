@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/combined/combined_sheet.h"
+#include "core/document/relations.h"
 #include "core/elevation/elevation_sheet.h"
 #include "core/spline/spline_sheet.h"
 #include "core/subdivision/subdivision_sheet.h"
@@ -37,6 +38,15 @@ struct Document {
 /// A curve of the sheet's kind without points.
 [[nodiscard]] Curve emptyCurve(SheetIndex sheet);
 
+/// The curves of a sheet of this kind.
+template <class C>
+[[nodiscard]] std::vector<const C*> curvesOf(const Sheet& sheet) {
+    std::vector<const C*> curves;
+    for (const Curve& curve : sheet.curves)
+        curves.push_back(&std::get<C>(curve));
+    return curves;
+}
+
 /// Whether two documents differ in what is saved and undone: `active` and `view` do not count.
 [[nodiscard]] bool sameContent(const Document& a, const Document& b);
 
@@ -70,7 +80,12 @@ struct Document {
 [[nodiscard]] Figure figureOf(const Curve& curve, const FigureContext& context);
 [[nodiscard]] std::vector<Result> results(const Curve& curve);
 
+/// What the curves of a sheet have with each other; nothing in sheets where nobody asks. May take seconds.
+[[nodiscard]] Relations relationsOf(const Sheet& sheet, SheetIndex index);
+
 /// The figure of a whole sheet under its view: what its canvas shows and an export draws.
 [[nodiscard]] Figure figureOf(const Sheet& sheet, SheetIndex index);
+/// The same without the relations of the curves: quick, and of the same box.
+[[nodiscard]] Figure figureOfCurves(const Sheet& sheet, SheetIndex index);
 
 } // namespace kriva

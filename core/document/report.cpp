@@ -6,14 +6,6 @@ namespace kriva {
 namespace {
 
 template <class C>
-std::vector<const C*> curvesOf(const Sheet& sheet) {
-    std::vector<const C*> curves;
-    for (const Curve& curve : sheet.curves)
-        curves.push_back(&std::get<C>(curve));
-    return curves;
-}
-
-template <class C>
 void reportSheetOf(JsonWriter& json, const Sheet& sheet) {
     const std::vector<const C*> curves = curvesOf<C>(sheet);
     json.key("curves").beginList();

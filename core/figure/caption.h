@@ -31,6 +31,7 @@ enum class Caption {
     runs,
     joins,
     middlePoints,
+    crossings,
     runNumbers,
     // results
     degree,
@@ -45,6 +46,9 @@ enum class Caption {
     coefficients,  ///< by segment, of the powers of t
     continuity,    ///< by knot
     openEnd,       ///< of a chain: the continuity of its first and last knot
+    crossingCount, ///< of the sheet
+    crossing,      ///< by number
+    overlapCount,
     curvatureExtrema,
     bendingEnergy,
     runPoints, ///< by run, first and last

@@ -24,6 +24,7 @@ enum class Role {
     join,
     run, ///< series: the number of the run
     curvePoint,
+    crossing,
     derivative,
     label,
 };

@@ -100,6 +100,8 @@ RoleStyle styleOf(Role role, int series, Theme theme) {
         return on.line(cyclic(kRunInks, series), 1.6);
     case Role::curvePoint:
         return on.filled(on.line(kVermillion, 0), Marker::circle, 5);
+    case Role::crossing: // a ring shows the curves that cross in it
+        return {on(kVermillion), 0, {}, Marker::ring, 7, 1.2, {}};
     case Role::derivative:
         return on.hollow(on.line(kVermillion, 0.9, kDashDot), Marker::circle, 3.2, 0.8);
     case Role::label:

@@ -17,6 +17,7 @@ constexpr std::array kLayers{
     LayerInfo{"end-derivatives", Caption::endDerivatives, true, true},
     LayerInfo{"handles", Caption::handles},
     LayerInfo{"knots", Caption::knots},
+    LayerInfo{"crossings", Caption::crossings},
     LayerInfo{"labels", Caption::labels, true, true},
 };
 

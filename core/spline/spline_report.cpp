@@ -4,7 +4,6 @@
 #include "core/bezier/bending_energy.h"
 #include "core/bezier/bounds.h"
 #include "core/bezier/curvature_extrema.h"
-#include "core/crossings/crossings.h"
 #include "core/figure/labels.h"
 #include "core/geometry/compensated_sum.h"
 
@@ -66,47 +65,7 @@ Measures measure(const SplineCurve& curve) {
     return measures;
 }
 
-void writePlace(JsonWriter& json, const Crossing& place) {
-    json.beginObject().member("at", place.at).key("passes").beginList();
-    for (const Pass& pass : place.passes)
-        json.beginObject()
-            .member("curve", static_cast<int>(pass.curve))
-            .member("segment", static_cast<int>(pass.segment))
-            .member("t", pass.t)
-            .endObject();
-    json.endList().endObject();
-}
-
-void writeOverlap(JsonWriter& json, const Overlap& overlap) {
-    json.beginObject().key("passes").beginList();
-    for (const PassedPart& part : overlap.passes)
-        json.beginObject()
-            .member("curve", static_cast<int>(part.curve))
-            .member("segment", static_cast<int>(part.segment))
-            .member("from", part.from)
-            .member("to", part.to)
-            .endObject();
-    json.endList().endObject();
-}
-
 } // namespace
-
-void reportTogether(JsonWriter& json, std::span<const SplineCurve* const> curves) {
-    std::vector<SplineChain> chains;
-    for (const SplineCurve* curve : curves)
-        chains.push_back(solveSpline(*curve));
-    std::vector<SegmentChain> parts;
-    for (std::size_t i = 0; i < curves.size(); ++i)
-        parts.push_back({chains[i].segments, curves[i]->closed});
-    const Crossings crossings = findCrossings(parts);
-    json.key("crossings").beginList();
-    for (const Crossing& place : crossings.places)
-        writePlace(json, place);
-    json.endList().key("overlaps").beginList();
-    for (const Overlap& overlap : crossings.overlaps)
-        writeOverlap(json, overlap);
-    json.endList();
-}
 
 void reportCurve(JsonWriter& json, const SplineCurve& curve) {
     const Measures measures = measure(curve);

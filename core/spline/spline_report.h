@@ -12,8 +12,6 @@ namespace kriva {
 }
 /// The members of a complete curve in the report, after its name.
 void reportCurve(JsonWriter& json, const SplineCurve& curve);
-/// The members of the sheet in the report after its curves: how they cross and overlap.
-void reportTogether(JsonWriter& json, std::span<const SplineCurve* const> curves);
 /// The same numbers as rows for people, and the coefficients of every segment.
 [[nodiscard]] std::vector<Result> results(const SplineCurve& curve);
 

@@ -3,6 +3,7 @@
 // All that the sheet `spline` brings to the document.
 #include "core/spline/removal.h"
 #include "core/spline/spline.h"
+#include "core/spline/spline_crossings.h"
 #include "core/spline/spline_edits.h"
 #include "core/spline/spline_figure.h"
 #include "core/spline/spline_json.h"

@@ -35,7 +35,7 @@ struct BusyWindow {
     }
     void settle() {
         QApplication::sendPostedEvents();
-        QApplication::processEvents();
+        test::settle();
     }
     QStringList texts() {
         QStringList all = visibleTexts(shell.window);

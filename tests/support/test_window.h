@@ -11,8 +11,18 @@
 
 #include <QApplication>
 #include <QTest>
+#include <QThreadPool>
 
 namespace kriva::test {
+
+/// Lets everything arrive that was asked for: what takes long comes from other threads, and is shown a turn later.
+inline void settle() {
+    for (int turn = 0; turn < 3; ++turn) {
+        QApplication::processEvents();
+        QThreadPool::globalInstance()->waitForDone();
+    }
+    QApplication::processEvents();
+}
 
 /// The real window with all that it stands on, shown offscreen on the example of a new window.
 struct TestWindow {

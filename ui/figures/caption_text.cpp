@@ -82,6 +82,14 @@ class Captions {
             return tr("open end");
         case Caption::curvatureExtrema:
             return tr("Extrema of the curvature");
+        case Caption::crossings:
+            return tr("Crossings");
+        case Caption::crossingCount:
+            return tr("Crossings of the sheet");
+        case Caption::crossing:
+            return tr("Crossing");
+        case Caption::overlapCount:
+            return tr("Overlaps of the sheet");
         case Caption::bendingEnergy:
             return tr("Bending energy");
         case Caption::givenPolygon:

@@ -2,6 +2,7 @@
 
 #include "ui/panels/result_text.h"
 #include "ui/sheets/sheet_editor.h"
+#include "ui/sheets/sheet_relations.h"
 
 #include <QClipboard>
 #include <QEvent>
@@ -19,9 +20,10 @@ constexpr int kFullDigits = 17;
 
 } // namespace
 
-ResultsPanel::ResultsPanel(SheetEditor& editor, QWidget* parent)
+ResultsPanel::ResultsPanel(SheetEditor& editor, const SheetRelations& relations, QWidget* parent)
     : QTreeWidget(parent)
-    , editor_(editor) {
+    , editor_(editor)
+    , relations_(relations) {
     setObjectName(QStringLiteral("results"));
     setFrameShape(QFrame::NoFrame);
     setColumnCount(2);
@@ -33,7 +35,11 @@ ResultsPanel::ResultsPanel(SheetEditor& editor, QWidget* parent)
     pending_.setSingleShot(true);
     pending_.setInterval(0);
     connect(&pending_, &QTimer::timeout, this, &ResultsPanel::showState);
-    const auto later = [this] { pending_.start(); };
+    const auto later = [this] {
+        if (!pending_.isActive())
+            pending_.start();
+    };
+    connect(&relations, &SheetRelations::changed, this, later);
     connect(&editor.document(), &OpenDocument::replaced, this, later);
     connect(&editor.document(), &OpenDocument::viewChanged, this, later);
     connect(&editor.document(), &OpenDocument::curvesChanged, this, later);
@@ -64,6 +70,8 @@ void ResultsPanel::showState() {
         rows.push_back({Caption::incomplete, {}, std::string()});
     else if (curve)
         rows = results(*curve);
+    const std::vector<Result>& ofSheet = relations_.relations().results;
+    rows.insert(rows.end(), ofSheet.begin(), ofSheet.end());
     while (topLevelItemCount() > static_cast<int>(rows.size()))
         delete takeTopLevelItem(topLevelItemCount() - 1);
     while (topLevelItemCount() < static_cast<int>(rows.size()))

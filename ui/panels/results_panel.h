@@ -8,12 +8,13 @@
 namespace kriva::ui {
 
 class SheetEditor;
+class SheetRelations;
 
-/// The numbers of the report for the curve on view, live.
+/// The numbers of the report for the curve on view and for the sheet, live.
 class ResultsPanel : public QTreeWidget {
     Q_OBJECT
   public:
-    explicit ResultsPanel(SheetEditor& editor, QWidget* parent = nullptr);
+    ResultsPanel(SheetEditor& editor, const SheetRelations& relations, QWidget* parent = nullptr);
     /// Computes and shows at once what otherwise waits for the event loop to turn.
     void showState();
 
@@ -28,6 +29,7 @@ class ResultsPanel : public QTreeWidget {
     void copy() const;
 
     SheetEditor& editor_;
+    const SheetRelations& relations_;
     QTimer pending_; ///< many changes in one turn of the event loop are one
 };
 

@@ -15,9 +15,10 @@ constexpr int kPanelWidth = 260; // px, at least: room for a table of points wit
 
 } // namespace
 
-SheetPanels::SheetPanels(QMainWindow& tab, SheetEditor& editor, const SheetUi& ui)
+SheetPanels::SheetPanels(QMainWindow& tab, SheetEditor& editor, const SheetRelations& relations, const SheetUi& ui)
     : tab_(tab)
     , editor_(editor)
+    , relations_(relations)
     , ui_(ui) {}
 
 void SheetPanels::make() {
@@ -37,7 +38,7 @@ void SheetPanels::fill() {
     auto* properties = new PropertiesArea(&tab_);
     properties->setWidget(ui_.makeProperties(editor_, properties));
     add("properties", QT_TRANSLATE_NOOP("SheetPanels", "Properties"), properties, Qt::RightDockWidgetArea);
-    add("results", QT_TRANSLATE_NOOP("SheetPanels", "Results"), new ResultsPanel(editor_, &tab_),
+    add("results", QT_TRANSLATE_NOOP("SheetPanels", "Results"), new ResultsPanel(editor_, relations_, &tab_),
         Qt::RightDockWidgetArea);
     add("history", QT_TRANSLATE_NOOP("SheetPanels", "History"), new HistoryPanel(editor_, &tab_),
         Qt::RightDockWidgetArea);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/sheets/sheet_editor.h"
+#include "ui/sheets/sheet_relations.h"
 #include "ui/sheets/sheet_ui.h"
 
 #include <QDockWidget>
@@ -12,7 +13,7 @@ namespace kriva::ui {
 class SheetPanels {
   public:
     /// All of them outlive this.
-    SheetPanels(QMainWindow& tab, SheetEditor& editor, const SheetUi& ui);
+    SheetPanels(QMainWindow& tab, SheetEditor& editor, const SheetRelations& relations, const SheetUi& ui);
 
     /// Where that has not been done.
     void make();
@@ -35,6 +36,7 @@ class SheetPanels {
 
     QMainWindow& tab_;
     SheetEditor& editor_;
+    const SheetRelations& relations_;
     const SheetUi& ui_;
     std::vector<Panel> panels_;
     QByteArray firstLayout_;

@@ -16,7 +16,7 @@ SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, 
     : QMainWindow(parent)
     , editor_(document, sheet)
     , canvas_(new CanvasView(*this, this))
-    , panels_(*this, editor_, ui) {
+    , panels_(*this, editor_, relations_, ui) {
     setWindowFlags(Qt::Widget); // a main window inside another: for its docks only
     setDockNestingEnabled(true);
     setCentralWidget(canvas_);
@@ -35,6 +35,7 @@ SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, 
             showAllCurves();
     });
     connect(&editor_, &SheetEditor::shownCurveChanged, this, &SheetTab::updateCurve);
+    connect(&relations_, &SheetRelations::changed, this, [this] { canvas_->updateCurve(canvasRelations()); });
     connect(&editor_, &SheetEditor::hint, this, [this](const Hint& hint) { Q_EMIT told(hint.text()); });
     connect(&editor_, &SheetEditor::selectionChanged, this, [this] { canvas_->setSelection(editor_.selection()); });
     retranslateUi();
@@ -74,8 +75,15 @@ CanvasCurve SheetTab::canvasCurve(Serial serial) const {
     return shown;
 }
 
+CanvasCurve SheetTab::canvasRelations() const {
+    const SheetIndex sheet = editor_.index();
+    CanvasCurve shown;
+    shown.figure = shownLayers(relations_.relations().figure, layersOf(sheet), editor_.sheet().view, {});
+    return shown;
+}
+
 void SheetTab::followPage() {
-    const Box box = boxOf(figureOf(editor_.sheet(), editor_.index()));
+    const Box box = boxOf(figureOfCurves(editor_.sheet(), editor_.index()));
     canvas_->setUnitScale(pageOf(box, editor_.sheet().view.mmPerUnit).mmPerUnit * kPixelsPerMillimetre);
 }
 
@@ -83,6 +91,7 @@ void SheetTab::showAllCurves() {
     std::vector<CanvasCurve> curves;
     for (const Serial serial : editor_.document().serials(editor_.index()))
         curves.push_back(canvasCurve(serial));
+    curves.push_back(canvasRelations());
     canvas_->setCurves(std::move(curves));
     canvas_->setSelection(editor_.selection());
 }

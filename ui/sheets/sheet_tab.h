@@ -5,6 +5,7 @@
 #include "ui/sheets/sheet_drag.h"
 #include "ui/sheets/sheet_editor.h"
 #include "ui/sheets/sheet_panels.h"
+#include "ui/sheets/sheet_relations.h"
 
 namespace kriva::ui {
 
@@ -51,6 +52,8 @@ class SheetTab : public QMainWindow, private CanvasClient {
 
     void retranslateUi();
     [[nodiscard]] CanvasCurve canvasCurve(Serial serial) const;
+    /// What the curves have with each other, above them; it is of no curve.
+    [[nodiscard]] CanvasCurve canvasRelations() const;
     void showAllCurves();
     /// 100 % is the size of the page at 96 dpi. A page grows with its curves, but not under the pointer: only a new
     /// document sets the scale.
@@ -59,6 +62,7 @@ class SheetTab : public QMainWindow, private CanvasClient {
 
     SheetEditor editor_;
     SheetDrag drag_{editor_};
+    SheetRelations relations_{editor_};
     CanvasView* canvas_;
     SheetPanels panels_;
 };

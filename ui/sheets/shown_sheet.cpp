@@ -34,10 +34,16 @@ const Curve* ShownSheet::shown(Serial serial) const {
     return stage_ && serial == activeSerial() ? &*stage_ : document_.find(index_, serial);
 }
 
+Sheet ShownSheet::sheetOnView() const {
+    Sheet onView = sheet();
+    if (stage_)
+        onView.curves[static_cast<std::size_t>(onView.view.activeCurve)] = *stage_;
+    return onView;
+}
+
 Document ShownSheet::documentOnView() const {
     Document document = document_.value();
-    if (stage_)
-        document.sheets[index_].curves[static_cast<std::size_t>(sheet().view.activeCurve)] = *stage_;
+    document.sheets[index_] = sheetOnView();
     return document;
 }
 

@@ -23,6 +23,8 @@ class ShownSheet : public QObject {
     [[nodiscard]] const Curve* shown(Serial serial) const;
     /// Shows another value in place of the active curve's without changing the document; nothing shows the document's.
     void setStage(std::optional<Curve> stage);
+    /// The sheet with the stage in place of the active curve.
+    [[nodiscard]] Sheet sheetOnView() const;
     /// The whole document with the stage in place of the active curve: what an export draws.
     [[nodiscard]] Document documentOnView() const;
     [[nodiscard]] bool hasStage() const { return stage_.has_value(); }

@@ -13,15 +13,17 @@ class ResultsPanelTest : public test::PanelTest {
     explicit ResultsPanelTest(SheetIndex sheet = 0)
         : PanelTest(sheet) {}
     [[nodiscard]] Rows rows() {
-        QApplication::processEvents();
+        test::settle();
         Rows shown;
         for (int row = 0; row < table.topLevelItemCount(); ++row)
             shown.emplace_back(table.topLevelItem(row)->text(0), table.topLevelItem(row)->text(1));
         return shown;
     }
-    static Rows rowsOf(const Curve& curve) {
+    Rows rowsOf(const Curve& curve) {
         Rows expected;
         for (const Result& result : results(curve))
+            expected.emplace_back(resultName(result), resultValue(result, 10));
+        for (const Result& result : relationsOf(editor().sheetOnView(), editor().index()).results)
             expected.emplace_back(resultName(result), resultValue(result, 10));
         return expected;
     }

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/document/results.h"
+#include "core/figure/figure.h"
+
+#include <vector>
+
+namespace kriva {
+
+/// What the curves of a sheet have with each other and no single one has: rows of numbers, and a figure above theirs.
+struct Relations {
+    std::vector<Result> results;
+    Figure figure;
+};
+
+} // namespace kriva

@@ -1,0 +1,88 @@
+#include "core/spline/spline_crossings.h"
+
+#include "core/document/limits.h"
+#include "core/figure/labels.h"
+
+#include <algorithm>
+
+namespace kriva {
+namespace {
+
+/// The editor opens more segments than anyone can wait for.
+constexpr std::size_t kMostSegments = limits::kReportedSegments;
+
+/// More places are counted, but not listed one by one.
+constexpr std::size_t kMostListed = 1000;
+
+void writePlace(JsonWriter& json, const Crossing& place) {
+    json.beginObject().member("at", place.at).key("passes").beginList();
+    for (const Pass& pass : place.passes)
+        json.beginObject()
+            .member("curve", static_cast<int>(pass.curve))
+            .member("segment", static_cast<int>(pass.segment))
+            .member("t", pass.t)
+            .endObject();
+    json.endList().endObject();
+}
+
+void writeOverlap(JsonWriter& json, const Overlap& overlap) {
+    json.beginObject().key("passes").beginList();
+    for (const PassedPart& part : overlap.passes)
+        json.beginObject()
+            .member("curve", static_cast<int>(part.curve))
+            .member("segment", static_cast<int>(part.segment))
+            .member("from", part.from)
+            .member("to", part.to)
+            .endObject();
+    json.endList().endObject();
+}
+
+Layer crossingsLayer(std::span<const SplineCurve* const> curves, const Crossings& crossings) {
+    const auto isShown = [&](const auto& pass) { return curves[pass.curve]->view.isShown; };
+    Points places;
+    for (const Crossing& place : crossings.places)
+        if (std::ranges::count_if(place.passes, isShown) >= 2)
+            places.push_back(place.at);
+    return {"crossings", {}, {{std::move(places), Role::crossing}}};
+}
+
+} // namespace
+
+Crossings crossingsOf(std::span<const SplineCurve* const> curves) {
+    std::vector<SplineChain> chains;
+    for (const SplineCurve* curve : curves)
+        chains.push_back(solveSpline(*curve));
+    std::vector<SegmentChain> parts;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        parts.push_back({chains[i].segments, curves[i]->closed});
+    return findCrossings(parts);
+}
+
+void reportTogether(JsonWriter& json, std::span<const SplineCurve* const> curves) {
+    const Crossings crossings = crossingsOf(curves);
+    json.key("crossings").beginList();
+    for (const Crossing& place : crossings.places)
+        writePlace(json, place);
+    json.endList().key("overlaps").beginList();
+    for (const Overlap& overlap : crossings.overlaps)
+        writeOverlap(json, overlap);
+    json.endList();
+}
+
+Relations relationsOf(std::span<const SplineCurve* const> curves) {
+    std::size_t segments = 0;
+    for (const SplineCurve* curve : curves)
+        segments += segmentCount(*curve);
+    if (segments == 0 || segments > kMostSegments)
+        return {};
+    const Crossings crossings = crossingsOf(curves);
+    Relations relations;
+    relations.results.push_back({Caption::crossingCount, "", static_cast<int>(crossings.places.size())});
+    for (std::size_t i = 0; i < std::min(crossings.places.size(), kMostListed); ++i)
+        relations.results.push_back({Caption::crossing, decimal(static_cast<int>(i)), crossings.places[i].at});
+    relations.results.push_back({Caption::overlapCount, "", static_cast<int>(crossings.overlaps.size())});
+    relations.figure.layers.push_back(crossingsLayer(curves, crossings));
+    return relations;
+}
+
+} // namespace kriva

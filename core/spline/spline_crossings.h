@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/crossings/crossings.h"
+#include "core/document/json/json_writer.h"
+#include "core/document/relations.h"
+#include "core/spline/spline.h"
+
+namespace kriva {
+
+/// How the curves of a sheet meet; those still being drawn take no part.
+[[nodiscard]] Crossings crossingsOf(std::span<const SplineCurve* const> curves);
+
+/// The members of the sheet in the report after its curves.
+void reportTogether(JsonWriter& json, std::span<const SplineCurve* const> curves);
+
+/// The same for people: how many crossings and where, and marks for those of curves that are shown.
+[[nodiscard]] Relations relationsOf(std::span<const SplineCurve* const> curves);
+
+} // namespace kriva
