@@ -39,7 +39,7 @@ double lengthInside(const Box& box, Point from, Point to) {
                 leave = -1;
             return;
         }
-        const auto [first, last] = std::minmax((low - start) / step, (high - start) / step);
+        const auto [first, last] = std::minmax({(low - start) / step, (high - start) / step});
         enter = std::max(enter, first);
         leave = std::min(leave, last);
     };

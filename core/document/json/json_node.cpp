@@ -17,12 +17,13 @@ std::string JsonNode::place() const {
     return place;
 }
 
-void JsonNode::refuse(FileProblem problem, std::vector<double> numbers, std::vector<std::string> words) const {
+void JsonNode::refuse(FileProblem problem, const std::vector<double>& numbers,
+                      const std::vector<std::string>& words) const {
     FileError error;
     error.problem = problem;
     error.place = place();
-    error.numbers = std::move(numbers);
-    error.words = std::move(words);
+    error.numbers = numbers;
+    error.words = words;
     throw Refused{std::move(error)};
 }
 
