@@ -2,164 +2,57 @@
 #include "core/bezier/elevate.h"
 #include "core/bezier/subdivide.h"
 #include "tests/support/any_curve.h"
+#include "tests/support/data_sets.h"
+#include "tests/support/reference_length.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <numbers>
+#include <charconv>
+#include <fstream>
 
 namespace kriva {
 namespace {
 
-/// The generator of Steele, Lea, Flood, Fast splittable pseudorandom number generators, OOPSLA 2014.
-class SplitMix {
-  public:
-    explicit SplitMix(std::uint64_t seed)
-        : state_(seed) {}
+/// In extended precision.
+const test::ReferenceLength<long double> lengthInExtended(1e-17L);
 
-    double between(double low, double high) {
-        return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53);
-    }
-    Vector inSquare(double low, double high) {
-        const double x = between(low, high);
-        return {x, between(low, high)};
-    }
+/// The numbers of a file that length_references wrote.
+std::vector<double> storedLengths(const std::string& name) {
+    std::ifstream file(std::string(KRIVA_TEST_DATA "/lengths/").append(name).append(".txt"));
+    std::vector<double> lengths;
+    for (std::string line; std::getline(file, line);)
+        std::from_chars(line.data(), line.data() + line.size(), lengths.emplace_back());
+    return lengths;
+}
 
-  private:
-    std::uint64_t next() {
-        std::uint64_t z = state_ += 0x9E3779B97F4A7C15U;
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-        return z ^ (z >> 31);
-    }
-
-    std::uint64_t state_;
-};
-
-/// Lengths by adaptive Gauss quadrature with 24 points in extended precision, a method that shares nothing with the one
-/// under test but Gauss's name.
-class Reference {
-  public:
-    Reference() {
-        for (int i = 0; i < kPoints; ++i) {
-            Real x = std::cos(std::numbers::pi_v<Real> * (static_cast<Real>(i) + 0.75L) / (kPoints + 0.5L));
-            Real slope = 0;
-            for (int step = 0; step < 10; ++step) {
-                Real before = 1;
-                Real value = x;
-                for (int k = 2; k <= kPoints; ++k) {
-                    const auto m = static_cast<Real>(k);
-                    const Real next = ((2 * m - 1) * x * value - (m - 1) * before) / m;
-                    before = value;
-                    value = next;
-                }
-                slope = kPoints * (x * value - before) / (x * x - 1);
-                x -= value / slope;
-            }
-            nodes_.push_back({x, 2 / ((1 - x * x) * slope * slope)});
-        }
-    }
-
-    [[nodiscard]] double length(std::span<const Point> curve) const {
-        const auto degree = static_cast<Real>(curve.size() - 1);
-        std::vector<Real> x, y;
-        Real polygon = 0;
-        for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-            x.push_back(degree * (static_cast<Real>(curve[i + 1].x) - static_cast<Real>(curve[i].x)));
-            y.push_back(degree * (static_cast<Real>(curve[i + 1].y) - static_cast<Real>(curve[i].y)));
-            polygon += std::hypot(x.back(), y.back()) / degree;
-        }
-        // One pair of rows for all values: this runs a million times.
-        std::vector<Real> a = x;
-        std::vector<Real> b = y;
-        const auto speed = [&](Real t) {
-            std::ranges::copy(x, a.begin());
-            std::ranges::copy(y, b.begin());
-            Real* const rowA = a.data();
-            Real* const rowB = b.data();
-            for (std::size_t count = x.size(); count > 1; --count)
-                for (std::size_t i = 0; i + 1 < count; ++i) {
-                    rowA[i] += t * (rowA[i + 1] - rowA[i]);
-                    rowB[i] += t * (rowB[i + 1] - rowB[i]);
-                }
-            return std::sqrt(rowA[0] * rowA[0] + rowB[0] * rowB[0]);
-        };
-        return static_cast<double>(adaptive(speed, 0, 1, gauss(speed, 0, 1), 1e-17L * polygon, 0));
-    }
-
-  private:
-    using Real = long double;
-    static constexpr int kPoints = 24;
-    struct Node {
-        Real at;
-        Real weight;
-    };
-
-    template <class F>
-    [[nodiscard]] Real gauss(const F& f, Real from, Real to) const {
-        Real sum = 0;
-        for (const Node node : nodes_)
-            sum += node.weight * f((from + to) / 2 + (to - from) / 2 * node.at);
-        return sum * (to - from) / 2;
-    }
-    template <class F>
-    [[nodiscard]] Real adaptive(const F& f, Real from, Real to, Real whole, Real allowed, int depth) const {
-        const Real middle = (from + to) / 2;
-        const Real left = gauss(f, from, middle);
-        const Real right = gauss(f, middle, to);
-        if (depth > 45 || std::abs(left + right - whole) < allowed)
-            return left + right;
-        return adaptive(f, from, middle, left, allowed, depth + 1) + adaptive(f, middle, to, right, allowed, depth + 1);
-    }
-
-    std::vector<Node> nodes_;
-};
-
-/// A cubic that stands still at a random parameter, its second point then moved by up to 1e-3.
-Points nearCusp(SplitMix& random) {
-    const double t = random.between(.2, .8);
-    const double u = 1 - t;
-    const Point start = Point{} + random.inSquare(0, 1000);
-    const Vector first = random.inSquare(-300, 300);
-    const Vector last = random.inSquare(-300, 300);
-    const Vector middle = -(u * u * first + t * t * last) / (2 * t * u);
-    Points curve{start, start + first, start + first + middle, start + first + middle + last};
-    curve[1] = curve[1] + random.inSquare(-1e-3, 1e-3);
-    return curve;
+/// How many lengths are farther from the stored ones than allowed.
+template <class Allowed>
+int countOver(const std::vector<Points>& curves, const std::vector<double>& lengths, Allowed allowed) {
+    int over = 0;
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        over += !(std::abs(arcLength(curves[i]) - lengths[i]) <= allowed(lengths[i]));
+    return over;
 }
 
 constexpr double kPromise = 1e-12;
 
-TEST(ArcLength, ofAThousandCubicsIsRightToTwelveDigits) {
-    const Reference reference;
-    SplitMix random(42);
-    for (int i = 0; i < 1000; ++i) {
-        Points curve(4);
-        for (Point& p : curve)
-            p = Point{} + random.inSquare(0, 1000);
-        ASSERT_NEAR(arcLength(curve) / reference.length(curve), 1, kPromise) << i;
-    }
-}
-
-TEST(ArcLength, ofAThousandNearCuspsIsRightToTwelveDigits) {
-    const Reference reference;
-    SplitMix random(43);
-    for (int i = 0; i < 1000; ++i) {
-        const Points curve = nearCusp(random);
-        ASSERT_NEAR(arcLength(curve) / reference.length(curve), 1, kPromise) << i;
+TEST(ArcLength, ofTwoThousandCubicsIsAsStored) {
+    for (const auto& [name, curves] :
+         {std::pair("cubics", test::randomCubics()), std::pair("cusps", test::nearCusps())}) {
+        const std::vector<double> lengths = storedLengths(name);
+        ASSERT_EQ(curves.size(), 1000U);
+        ASSERT_EQ(lengths.size(), curves.size()) << name;
+        for (const double allowed : {1e-3, 1e-6, 1e-9})
+            EXPECT_EQ(countOver(curves, lengths, [=](double) { return allowed; }), 0) << name << ' ' << allowed;
+        EXPECT_EQ(countOver(curves, lengths, [](double length) { return kPromise * length; }), 0) << name;
     }
 }
 
 TEST(ArcLength, ofHigherDegreesIsRightToTwelveDigits) {
-    const Reference reference;
-    SplitMix random(44);
     for (const std::size_t size : {3U, 5U, 6U, 7U, 12U, 31U}) {
-        Points curve(size);
-        for (Point& p : curve)
-            p = Point{} + random.inSquare(0, 1000);
-        EXPECT_NEAR(arcLength(curve) / reference.length(curve), 1, kPromise) << size;
+        const Points curve = test::randomPoints(44, size);
+        EXPECT_NEAR(arcLength(curve) / lengthInExtended(curve), 1, kPromise) << size;
     }
 }
 
@@ -202,7 +95,7 @@ TEST(ArcLength, ofPointsRepeatedTenTimes) {
     Points curve(30);
     for (std::size_t i = 0; i < curve.size(); ++i)
         curve[i] = i < 10 ? Point{0, 0} : i < 20 ? Point{1, 2} : Point{3, 0};
-    EXPECT_NEAR(arcLength(curve) / Reference().length(curve), 1, kPromise);
+    EXPECT_NEAR(arcLength(curve) / lengthInExtended(curve), 1, kPromise);
 }
 
 TEST(ArcLength, changesNoBitFarFromTheOriginOrAtAnotherScale) {
