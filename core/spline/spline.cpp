@@ -16,8 +16,8 @@ const Points* replacedInner(const SplineCurve& curve, std::size_t segment) {
     return found == curve.inner.end() ? nullptr : &found->second;
 }
 
-/// The control polygons seen from their first knots.
-std::vector<Points> localPolygons(const SplineCurve& curve) {
+/// The segments before their degree is raised, seen from their first knots.
+std::vector<Points> plainPolygons(const SplineCurve& curve) {
     const Point origin;
     const std::vector<Vector> chords = chordsOf(curve);
     std::vector<Points> polygons;
@@ -28,17 +28,19 @@ std::vector<Points> localPolygons(const SplineCurve& curve) {
         return polygons;
     }
     for (std::size_t i = 0; const SegmentHandles& handles : cubicHandles(curve, chords)) {
-        const Vector chord = chords[i];
-        Points polygon = {origin, origin + handles.out, origin + (chord + handles.in), origin + chord};
-        if (curve.degree > 3)
-            polygon = elevated(polygon, curve.degree - 3);
-        if (const Points* inner = replacedInner(curve, i))
-            std::ranges::transform(*inner, polygon.begin() + kFirstInner,
-                                   [&](Point p) { return origin + (p - curve.knots[i].at); });
-        polygons.push_back(std::move(polygon));
-        ++i;
+        const Vector chord = chords[i++];
+        polygons.push_back({origin, origin + handles.out, origin + (chord + handles.in), origin + chord});
     }
     return polygons;
+}
+
+/// Raises a segment to the curve's degree and puts in what replaces its inner points.
+void raise(Points& polygon, const SplineCurve& curve, std::size_t segment) {
+    if (curve.degree > 3)
+        polygon = elevated(polygon, curve.degree - 3);
+    if (const Points* inner = replacedInner(curve, segment))
+        std::ranges::transform(*inner, polygon.begin() + kFirstInner,
+                               [&](Point p) { return Point{} + (p - curve.knots[segment].at); });
 }
 
 std::vector<Continuity> continuityOf(const std::vector<Points>& segments, std::size_t knotCount) {
@@ -54,10 +56,11 @@ std::vector<Continuity> continuityOf(const std::vector<Points>& segments, std::s
 void moveToKnots(Points& polygon, const SplineCurve& curve, std::size_t segment) {
     const SplineKnot& from = curve.knots[segment];
     const SplineKnot& to = knotAfter(curve, segment);
-    for (Point& p : polygon)
-        p = from.at + (p - Point{});
-    polygon.front() = from.at;
-    polygon.back() = to.at;
+    // Each point from the nearer knot: a handle that is retracted onto its knot stands on it bit for bit.
+    const Point start = polygon.front();
+    const Point end = polygon.back();
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        polygon[i] = 2 * i < polygon.size() ? from.at + (polygon[i] - start) : to.at + (polygon[i] - end);
     if (const Points* inner = replacedInner(curve, segment))
         std::ranges::copy(*inner, polygon.begin() + kFirstInner);
     if (curve.degree != 3)
@@ -100,12 +103,29 @@ SplineChain solveSpline(const SplineCurve& curve) {
     if (isIncomplete(curve))
         return {};
     SplineChain chain;
-    chain.segments = localPolygons(curve);
+    chain.segments = plainPolygons(curve);
+    for (std::size_t i = 0; i < chain.segments.size(); ++i)
+        raise(chain.segments[i], curve, i);
     // Told before the polygons move: far from the origin the roundings of absolute positions would break C2.
     chain.continuity = continuityOf(chain.segments, curve.knots.size());
     for (std::size_t i = 0; i < chain.segments.size(); ++i)
         moveToKnots(chain.segments[i], curve, i);
     return chain;
+}
+
+std::vector<Points> shapesOf(const SplineCurve& curve) {
+    if (isIncomplete(curve))
+        return {};
+    std::vector<Points> shapes = plainPolygons(curve);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const SplineKnot& from = curve.knots[i];
+        const SplineKnot& to = knotAfter(curve, i);
+        if (replacedInner(curve, i))
+            raise(shapes[i], curve, i);
+        else if (curve.degree > 2 && !isAutomatic(from) && !isAutomatic(to))
+            shapes[i] = {from.at, from.out.value_or(from.at), to.in.value_or(to.at), to.at};
+    }
+    return shapes;
 }
 
 } // namespace kriva

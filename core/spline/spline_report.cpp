@@ -28,21 +28,20 @@ bool isExtremum(Continuity continuity, std::span<const Point> arriving, std::spa
     return (before < 0 && after > 0) || (before > 0 && after < 0);
 }
 
-int countExtrema(const SplineChain& chain) {
-    const std::vector<Points>& segments = chain.segments;
+int countExtrema(const std::vector<Points>& shapes, const std::vector<Continuity>& continuity) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        count += curvatureExtrema(segments[i]).size();
-        const Points& arriving = segments[(i + segments.size() - 1) % segments.size()];
-        count += isExtremum(chain.continuity[i], arriving, segments[i]) ? 1 : 0;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        count += curvatureExtrema(shapes[i]).size();
+        const Points& arriving = shapes[(i + shapes.size() - 1) % shapes.size()];
+        count += isExtremum(continuity[i], arriving, shapes[i]) ? 1 : 0;
     }
     return static_cast<int>(count);
 }
 
-std::optional<double> addBendingEnergies(const SplineChain& chain) {
+std::optional<double> addBendingEnergies(const std::vector<Points>& shapes) {
     CompensatedSum sum;
-    for (const Points& segment : chain.segments) {
-        const std::optional<double> energy = bendingEnergy(segment);
+    for (const Points& shape : shapes) {
+        const std::optional<double> energy = bendingEnergy(shape);
         if (!energy)
             return {};
         sum.add(*energy);
@@ -53,15 +52,17 @@ std::optional<double> addBendingEnergies(const SplineChain& chain) {
 Measures measure(const SplineCurve& curve) {
     Measures measures;
     measures.chain = solveSpline(curve);
-    CompensatedSum length;
-    for (const Points& segment : measures.chain.segments) {
-        measures.lengths.push_back(arcLength(segment));
-        length.add(measures.lengths.back());
+    for (const Points& segment : measures.chain.segments)
         measures.bounds = united(measures.bounds, tightBounds(segment));
+    const std::vector<Points> shapes = shapesOf(curve);
+    CompensatedSum length;
+    for (const Points& shape : shapes) {
+        measures.lengths.push_back(arcLength(shape));
+        length.add(measures.lengths.back());
     }
     measures.length = length.value();
-    measures.curvatureExtrema = countExtrema(measures.chain);
-    measures.bendingEnergy = addBendingEnergies(measures.chain);
+    measures.curvatureExtrema = countExtrema(shapes, measures.chain.continuity);
+    measures.bendingEnergy = addBendingEnergies(shapes);
     return measures;
 }
 

@@ -51,6 +51,41 @@ TEST(SplineReport, tellsNoBendingEnergyWhereItDiverges) {
     EXPECT_THAT(reportOf(cusp), HasSubstr(R"("bendingEnergy": null)"));
 }
 
+// Control points far from the origin are rounded to its distance; what is measured is not.
+TEST(SplineReport, measuresTheSameFarFromTheOrigin) {
+    const auto measures = [](const std::string& report) {
+        const auto between = [&](std::string_view from, std::string_view to) {
+            const std::size_t start = report.find(from);
+            return report.substr(start, report.find(to, start) - start);
+        };
+        return between("\"length\"", ",") + between("\"knots\"", "crossings");
+    };
+    for (const Rule rule : {Rule::mirror, Rule::natural, Rule::catmullRom})
+        for (const int degree : {2, 3, 4, 5}) {
+            SplineCurve near = test::curveThrough(rule, {{0, 0}, {1, 3}, {1.5, 2.75}, {4, 0}, {7, 2}});
+            near.degree = degree;
+            near.knots[2] = test::heldKnot({1.5, 2.75}, SplineKnot::Join::smooth, Point{1.25, 3.125}, Point{2, 2});
+            SplineCurve far = near;
+            for (SplineKnot& knot : far.knots)
+                for (Point* const p : {&knot.at, knot.in ? &*knot.in : nullptr, knot.out ? &*knot.out : nullptr})
+                    if (p)
+                        *p = *p + Vector{0x1p+29, -0x1p+29};
+            EXPECT_EQ(measures(reportOf(far)), measures(reportOf(near))) << degree;
+        }
+}
+
+TEST(SplineReport, measuresStoredHandlesAsTheyAre) {
+    // A cusp but for the last places of its middle points; relative to the first knot these would be rounded.
+    SplineCurve cubic = test::curveThrough(Rule::mirror, {{0.1, 0.7}, {1.1, 0.7}});
+    const Points points{{0.1, 0.7}, {1.1000001, 1.7}, {0.1, 1.7}, {1.1, 0.7}};
+    cubic.knots[0] = test::heldKnot(points[0], SplineKnot::Join::corner, {}, points[1]);
+    cubic.knots[1] = test::heldKnot(points[3], SplineKnot::Join::corner, points[2], {});
+    for (const int degree : {3, 4, 5}) {
+        cubic.degree = degree;
+        EXPECT_EQ(shapesOf(cubic), (std::vector<Points>{points})) << degree;
+    }
+}
+
 TEST(SplineReport, saysNothingOfACurveStillBeingDrawn) {
     const std::string report = reportOf(test::curveThrough(Rule::natural, {{0, 0}, {3, 3}}, true));
     EXPECT_THAT(report, HasSubstr(R"("incomplete": true)"));
