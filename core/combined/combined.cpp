@@ -16,7 +16,7 @@ void addPairs(const CombinedCurve& curve, const CombinedRun& run, std::vector<Pa
         const CurveEnd& to = run.pairEnds[at + 1];
         if (const auto correction = curve.corrections.find(i); correction != curve.corrections.end()) {
             const Points points{from.point(), correction->second, to.point()};
-            path.push_back({PathPiece::Kind::pair, i, {points, *startTangent(points), *endTangent(points)}});
+            path.push_back({PathPiece::Kind::pair, i, {points, *startTangent(points), *endTangent(points), points}});
             continue;
         }
         for (TangentPiece& piece : pairOf(from, to))
@@ -29,7 +29,7 @@ void addRun(const CombinedCurve& curve, const CombinedRun& run, int index, std::
         addPairs(curve, run, path);
     else if (run.points.direction != 0)
         path.push_back(
-            {PathPiece::Kind::run, index, {run.graph, run.start.tangent->vector(), run.end.tangent->vector()}});
+            {PathPiece::Kind::run, index, {run.graph, run.start.tangent->vector(), run.end.tangent->vector(), {}}});
 }
 
 } // namespace

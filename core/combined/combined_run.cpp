@@ -94,6 +94,7 @@ CombinedRun fitRun(const CombinedCurve& curve, const MonotoneRun& points) {
     run.slopeVariation = graph.slopeVariation;
     run.graph = std::move(graph.curve);
     run.parts = std::move(graph.parts);
+    run.shapes = std::move(graph.shapes);
     if (curve.method == Method::pairs) {
         run.pairEnds = endsOfPairs(fit.polynomial, own, points.direction);
         run.start.y = own.front().y;

@@ -21,6 +21,7 @@ struct CombinedRun {
     double slopeVariation = 0;      ///< integral of |y''| of its polynomial
     Points graph;                   ///< its polynomial as a Bézier curve, in drawing direction; empty for one point
     std::vector<Points> parts;      ///< the graph, cut where doubles cannot tell it by the control points of the whole
+    std::vector<Points> shapes;     ///< of the parts, see shapeOf()
     std::vector<CurveEnd> pairEnds; ///< under Method::pairs each of its points, with the tangent of the polynomial
 };
 

@@ -1,20 +1,14 @@
 #pragma once
 
-#include "core/geometry/point.h"
-#include "core/polynomial/double_double.h"
+#include "core/polynomial/shape.h"
 
 #include <optional>
 
 namespace kriva {
 
-/// A direction of length 1 in double-double arithmetic: a middle point may lie 1e9 times farther than the tangents
-/// that meet there differ.
-struct Tangent {
-    DoubleDouble x;
-    DoubleDouble y;
-
-    [[nodiscard]] Vector vector() const { return {x.high, y.high}; }
-};
+/// A direction of length 1, wide because a middle point may lie 1e9 times farther than the tangents that meet there
+/// differ.
+using Tangent = WideVector;
 
 /// The tangent of a graph with this slope, drawn to the right (direction 1) or to the left (-1).
 [[nodiscard]] Tangent tangentOf(const DoubleDouble& slope, int direction);
@@ -33,6 +27,7 @@ struct TangentPiece {
     Points points;
     Vector startTangent;
     Vector endTangent;
+    Points shape; ///< congruent to the points, but not rounded to the distance from the origin
 };
 
 /// The point where the two tangents meet, the middle point of the quadratic that joins the ends; nothing where they

@@ -4,6 +4,7 @@
 #include "core/bezier/bending_energy.h"
 #include "core/bezier/bounds.h"
 #include "core/bezier/curvature.h"
+#include "core/geometry/compensated_sum.h"
 
 #include <algorithm>
 #include <limits>
@@ -18,6 +19,13 @@ std::span<const Points> measuredCurves(const Combined& combined, const PathPiece
     return {&piece.curve.points, 1};
 }
 
+/// The same curves by their shapes, which tell length and bending more exactly.
+std::span<const Points> measuredShapes(const Combined& combined, const PathPiece& piece) {
+    if (piece.kind == PathPiece::Kind::run)
+        return combined.runs[static_cast<std::size_t>(piece.index)].shapes;
+    return {&piece.curve.shape, 1};
+}
+
 bool isWithinDoubles(const Combined& combined) {
     return std::ranges::all_of(combined.path, [&](const PathPiece& piece) {
         return std::ranges::all_of(measuredCurves(combined, piece),
@@ -26,19 +34,19 @@ bool isWithinDoubles(const Combined& combined) {
 }
 
 /// Straightness and standstill are those of the piece as a whole, even where it is measured in parts.
-std::optional<double> energyOf(const PathPiece& piece, std::span<const Points> parts) {
+std::optional<double> energyOf(const PathPiece& piece, std::span<const Points> shapes) {
     constexpr double kStandstill = 1e-9; // of the polygon's length, as in bendingEnergy()
     const Points& whole = piece.curve.points;
-    if (parts.size() == 1)
-        return bendingEnergy(parts.front());
+    if (shapes.size() == 1)
+        return bendingEnergy(shapes.front());
     if (isStraight(whole))
         return 0;
     // A graph of so high a degree that it is cut turns between its ends; there its speed is the width of its x.
     if (std::abs(whole.back().x - whole.front().x) < kStandstill * polygonLength(whole))
         return {};
     double sum = 0;
-    for (const Points& part : parts) {
-        const std::optional<double> energy = bendingEnergy(part);
+    for (const Points& shape : shapes) {
+        const std::optional<double> energy = bendingEnergy(shape);
         if (!energy)
             return {};
         sum += *energy;
@@ -70,17 +78,22 @@ PathMeasures measure(const Combined& combined, std::span<const Point> points) {
         measures.bounds = {-kInfinity, -kInfinity, kInfinity, kInfinity};
         return measures;
     }
-    measures.bendingEnergy = 0;
+    CompensatedSum length;
+    CompensatedSum bending;
+    bool diverges = false;
     for (const PathPiece& piece : combined.path) {
-        const std::span<const Points> curves = measuredCurves(combined, piece);
-        for (const Points& curve : curves) {
-            measures.length += arcLength(curve);
+        const std::span<const Points> shapes = measuredShapes(combined, piece);
+        for (const Points& shape : shapes)
+            length.add(arcLength(shape));
+        for (const Points& curve : measuredCurves(combined, piece))
             measures.bounds = united(measures.bounds, tightBounds(curve));
-        }
-        const std::optional<double> energy = energyOf(piece, curves);
-        measures.bendingEnergy =
-            energy && measures.bendingEnergy ? std::optional(*measures.bendingEnergy + *energy) : std::nullopt;
+        const std::optional<double> energy = energyOf(piece, shapes);
+        bending.add(energy.value_or(0));
+        diverges = diverges || !energy;
     }
+    measures.length = length.value();
+    if (!diverges)
+        measures.bendingEnergy = bending.value();
     if (combined.path.empty())
         measures.bounds = boxOf(points);
     return measures;

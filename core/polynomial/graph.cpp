@@ -75,6 +75,17 @@ Points controlPoints(const Part& part, double from, double to) {
     return points;
 }
 
+/// The shape of a part of the graph from `from` to `to`.
+Points shapeOf(const Part& part, double from, double to) {
+    const auto n = static_cast<double>(part.coefficients.size() - 1);
+    const DoubleDouble step = exactSum(to, -from) / std::ldexp(n, part.level);
+    std::vector<WideVector> vectors;
+    for (const BigFloat& c : part.coefficients)
+        vectors.push_back(
+            {step * static_cast<double>(vectors.size()), (c - part.coefficients.front()).toDoubleDouble()});
+    return shapeOf(vectors);
+}
+
 /// The Bernstein coefficients of |to - from| y'' over a part; its integral by t is that of y'' by x.
 BernsteinPiece secondDerivative(const Part& part, double width) {
     const std::size_t n = part.coefficients.size() - 1;
@@ -110,6 +121,7 @@ Graph graphOf(const Polynomial& polynomial, double from, double to) {
     std::vector<BernsteinPiece> second;
     for (const Part& part : parts) {
         graph.parts.push_back(controlPoints(part, from, to));
+        graph.shapes.push_back(shapeOf(part, from, to));
         if (part.coefficients.size() > 2)
             second.push_back(secondDerivative(part, std::abs(to - from)));
     }

@@ -83,6 +83,35 @@ TEST(Measure, takesHighDegreesInParts) {
     EXPECT_NEAR(measures.bounds.ymax, 1, 1e-7);
 }
 
+TEST(Measure, isTheSameFarFromTheOrigin) {
+    // Runs to the right, to the left and of one point; corrected, joined by quadratics and by cubics.
+    const Points points{{0, 0}, {1, 2}, {2, 1}, {3, 1.5}, {2.5, 4}, {1, 5}, {-1, 4.5}, {-1, 6}, {0, 7}, {2, 7.25}};
+    for (const Method method : {Method::approximation, Method::interpolation, Method::pairs}) {
+        const CombinedCurve near = curveThrough(points, method, 2);
+        CombinedCurve far = near;
+        for (Point& p : far.points)
+            p = p + Vector{0x1p+29, -0x1p+29};
+        const PathMeasures here = measured(near);
+        const PathMeasures there = measured(far);
+        EXPECT_NEAR(there.length / here.length, 1, 1e-15);
+        EXPECT_NEAR(*there.bendingEnergy / *here.bendingEnergy, 1, 1e-13);
+        EXPECT_NEAR(there.slopeVariation / here.slopeVariation, 1, 1e-13);
+        EXPECT_NEAR(there.largestKink, here.largestKink, 1e-15);
+    }
+}
+
+TEST(Measure, keepsTheDigitsOfBarelyBentCurves) {
+    // y = x + h x (1 - x) / 2 from 0 to 1 has the energy h^2 / 2^(5/2), but for a share of h^2.
+    for (const double h : {1e-5, 1e-6, 1e-7})
+        for (const Method method : {Method::interpolation, Method::pairs}) {
+            const double middle = 0.5 + h / 8;
+            const PathMeasures measures = measured(curveThrough({{0, 0}, {0.5, middle}, {1, 1}}, method, 2));
+            const double bend = 8 * (middle - 0.5); // h as the rounded point has it
+            ASSERT_TRUE(measures.bendingEnergy);
+            EXPECT_NEAR(*measures.bendingEnergy / (bend * bend * std::pow(2, -2.5)), 1, 1e-9) << h;
+        }
+}
+
 TEST(Measure, isInfiniteBeyondTheRangeOfDoubles) {
     const PathMeasures measures = measured(curveThrough({{0, 0}, {1e-300, 1e9}, {2e-300, 0}, {1, 1}}));
     EXPECT_TRUE(std::isinf(measures.length));
