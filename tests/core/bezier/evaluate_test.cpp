@@ -116,5 +116,19 @@ TEST(Bernstein, areNonNegativeAndSumToOne) {
         }
 }
 
+RC_GTEST_PROP(Bernstein, haveTheirClosedForm, ()) {
+    const int degree = *rc::gen::inRange(0, 40);
+    const double t = *test::anyParameter();
+    const std::vector<double> values = bernstein(degree, t);
+    const std::vector<double> mirrored = bernstein(degree, 1 - t);
+    double binomial = 1;
+    for (int i = 0; i <= degree; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        RC_ASSERT(std::abs(values[at] - binomial * std::pow(t, i) * std::pow(1 - t, degree - i)) <= 1e-14);
+        RC_ASSERT(std::abs(values[at] - mirrored[values.size() - 1 - at]) <= 1e-14);
+        binomial *= static_cast<double>(degree - i) / (i + 1);
+    }
+}
+
 } // namespace
 } // namespace kriva
