@@ -14,14 +14,14 @@ constexpr double kNegligible = 0x1p-80;
 
 /// The mean of the vectors first..last under weights known by their ratios only. `ratio(j)` is weight j + 1 over
 /// weight j and falls with j, `mode` is an index of a largest weight. Going outwards from there, all terms positive,
-/// nothing overflows or cancels, and the sum of the weights normalises them.
+/// nothing overflows or cancels, and the sum of the weights normalises them. Equal vectors have that mean bit for bit.
 template <class Ratio>
 Vector weightedMean(std::span<const Vector> vectors, std::size_t first, std::size_t last, std::size_t mode,
                     Ratio ratio) {
-    Vector sum = vectors[mode];
+    Vector sum;
     double total = 1;
     const auto add = [&](double weight, Vector v) {
-        sum = sum + weight * v;
+        sum = sum + weight * (v - vectors[mode]);
         total += weight;
     };
     double weight = 1;
@@ -30,7 +30,7 @@ Vector weightedMean(std::span<const Vector> vectors, std::size_t first, std::siz
     weight = 1;
     for (std::size_t j = mode; j > first && weight > kNegligible; --j)
         add(weight /= ratio(j - 1), vectors[j - 1]);
-    return sum / total;
+    return vectors[mode] + sum / total;
 }
 
 /// Control vector i, 0 < i < n + times, of the curve with these n + 1 control vectors raised `times` times. Its

@@ -35,10 +35,13 @@ Handles mirrorHandles(const SplineCurve& curve, std::span<const Vector> chords) 
 }
 
 /// The tangent of the centripetal spline at a knot, per unit of its own parameter; zero where a neighbour coincides.
+/// The chords are unit vectors times squares of the steps, so that its three terms come down to the sum of these unit
+/// vectors: nothing is left over where a chain turns straight back.
 Vector centripetalTangent(Vector before, Vector after, double stepBefore, double stepAfter) {
     if (stepBefore == 0 || stepAfter == 0)
         return {};
-    return before / stepBefore - (before + after) / (stepBefore + stepAfter) + after / stepAfter;
+    const Vector units = before / length(before) + after / length(after);
+    return units * (stepBefore / (stepBefore + stepAfter) * stepAfter);
 }
 
 Handles catmullRomHandles(const SplineCurve& curve, std::span<const Vector> chords) {

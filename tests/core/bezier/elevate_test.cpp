@@ -40,6 +40,21 @@ TEST(Elevate, staysFiniteAndMeetsTheEndsAtTheLimits) {
     }
 }
 
+RC_GTEST_PROP(Elevate, keepsRepeatedEndsBitForBit, ()) {
+    Points curve = *test::anyCurve(3, 8);
+    curve[1] = curve.front();
+    curve[curve.size() - 2] = curve.back();
+    const int times = *rc::gen::inRange(1, 20);
+    const Points raised = elevated(curve, times);
+    RC_ASSERT(raised[1] == curve.front());
+    RC_ASSERT(distance(raised[raised.size() - 2], curve.back()) <= 1e-12);
+    const Vector start = curve.front() - Point{};
+    for (Point& p : curve)
+        p = p - start;
+    const Points local = elevated(curve, times);
+    RC_ASSERT(local[local.size() - 2] == local.back());
+}
+
 RC_GTEST_PROP(Elevate, onceMoreEqualsTwiceOnce, ()) {
     const Points curve = *test::anyCurve(1, 12);
     const Points twice = elevated(elevated(curve, 1), 1);

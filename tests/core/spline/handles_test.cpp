@@ -161,5 +161,14 @@ TEST(Handles, aMissingStoredHandleIsRetracted) {
     }
 }
 
+TEST(CatmullRomHandles, areRetractedWhereTheChainTurnsStraightBack) {
+    const std::vector<Points> cubics =
+        solveSpline(curveThrough(Rule::catmullRom, {{0.1, 3}, {0.7, 3}, {0.2, 3}, {1.3, 3}})).segments;
+    for (const std::size_t knot : {1U, 2U}) {
+        EXPECT_EQ(cubics[knot - 1][2], cubics[knot][0]);
+        EXPECT_EQ(cubics[knot][1], cubics[knot][0]);
+    }
+}
+
 } // namespace
 } // namespace kriva
