@@ -98,7 +98,7 @@ Value JsonNode::oneOf(std::initializer_list<std::pair<std::string_view, Value>> 
             return value;
         words.emplace_back(word);
     }
-    refuse(FileProblem::expectedOneOf, {}, std::move(words));
+    refuse(FileProblem::expectedOneOf, {}, words);
 }
 
 template <class Visit>
