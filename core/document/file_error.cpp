@@ -8,7 +8,8 @@ namespace kriva {
 void appendKey(std::string& place, std::string_view key) {
     if (!place.empty())
         place += '.';
-    place += key;
+    // Without a letter it would be no place at all.
+    place += key.empty() ? std::string_view("\"\"") : key;
 }
 
 void appendPosition(std::string& place, std::size_t position) {

@@ -103,6 +103,7 @@ TEST(ReadDocument, refusesWhatIsNoDocument) {
         {R"({"format":"kriva","version":2})", FileProblem::unknownVersion, "version"},
         {withMembers(R"("format":"kriva")"), FileProblem::repeatedKey, "format"},
         {withMembers(R"("titel":"")"), FileProblem::unknownKey, "titel"},
+        {withMembers(R"("":"")"), FileProblem::unknownKey, R"("")"},
         {withMembers(R"("title":null)"), FileProblem::expectedText, "title"},
         {withMembers(R"("title":"\u0000")"), FileProblem::expectedText, "title"},
         {withMembers(R"("title\u0000":"")"), FileProblem::unknownKey, std::string("title\0", 6)},
