@@ -1,5 +1,7 @@
 #include "core/crossings/flattest_contact.h"
 
+#include "core/crossings/passages.h"
+
 #include <cmath>
 
 namespace kriva {
@@ -71,22 +73,10 @@ std::optional<Series> gapSeries(const Arc& a, const Arc& b, Contact near) {
     return gap;
 }
 
-/// The parameter of b nearest to a place of a.
-double besideOf(const Arc& b, Point at, double t) {
-    for (int step = 0; step < 8; ++step) {
-        const ArcPoint there = evaluate(b, t);
-        const double squared = dot(there.velocity, there.velocity);
-        if (squared == 0)
-            break;
-        t += dot(at - there.at, there.velocity) / squared;
-    }
-    return std::clamp(t, 0.0, 1.0);
-}
-
 } // namespace
 
 Contact flattestContact(const Arc& a, const Arc& b, Contact near, double reach) {
-    near.b = besideOf(b, evaluate(a, near.a).at, near.b);
+    near.b = foot(b, evaluate(a, near.a).at, near.b);
     Contact contact = near;
     for (int step = 0; step < 4; ++step) {
         const std::optional<Series> gap = gapSeries(a, b, contact);
@@ -100,7 +90,7 @@ Contact flattestContact(const Arc& a, const Arc& b, Contact near, double reach) 
             break;
         const double way = -(*gap)[order - 1] / (static_cast<double>(order) * (*gap)[order]);
         contact.a = std::clamp(contact.a + std::clamp(way, -reach, reach), 0.0, 1.0);
-        contact.b = besideOf(b, evaluate(a, contact.a).at, contact.b);
+        contact.b = foot(b, evaluate(a, contact.a).at, contact.b);
     }
     // Beyond the end of a segment there is nothing to be flat against.
     return gapAt(a, b, contact) <= gapAt(a, b, near) ? contact : near;

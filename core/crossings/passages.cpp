@@ -22,18 +22,6 @@ bool isNear(const Arc& arc, Point place, double gap) {
     return aside >= low - scaled && aside <= high + scaled;
 }
 
-/// The end of the perpendicular from the place, near a parameter that is known to a few units of the gap.
-double foot(const Arc& arc, Point place, double t) {
-    for (int step = 0; step < 4; ++step) {
-        const ArcPoint there = evaluate(arc, t);
-        const double squared = dot(there.velocity, there.velocity);
-        if (squared == 0)
-            break;
-        t = std::clamp(t + dot(place - there.at, there.velocity) / squared, 0.0, 1.0);
-    }
-    return t;
-}
-
 struct Stretch {
     double from;
     double to;
@@ -55,6 +43,17 @@ void collect(const Arc& arc, Point place, double gap, int depth, std::vector<Str
 }
 
 } // namespace
+
+double foot(const Arc& arc, Point place, double t) {
+    for (int step = 0; step < 8; ++step) {
+        const ArcPoint there = evaluate(arc, t);
+        const double squared = dot(there.velocity, there.velocity);
+        if (squared == 0)
+            break;
+        t = std::clamp(t + dot(place - there.at, there.velocity) / squared, 0.0, 1.0);
+    }
+    return t;
+}
 
 std::vector<double> passagesThrough(const Arc& arc, Point place, double gap) {
     std::vector<Stretch> stretches;
