@@ -13,9 +13,11 @@
 
 namespace kriva {
 
-int runEditor(QApplication& application, const QStringList& files) {
+int runEditor(QApplication& application, const QStringList& files, std::optional<ui::Language> asked) {
     ui::Preferences preferences;
-    ui::LanguageSwitch language(preferences.language().value_or(ui::systemLanguage()));
+    if (!asked)
+        asked = preferences.language();
+    ui::LanguageSwitch language(asked.value_or(ui::systemLanguage()));
     const ui::DesktopScheme desktop;
     ui::ThemeSwitch theme(preferences.theme(), desktop);
     const auto sheets = sheetCatalog();

@@ -66,5 +66,5 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     fonts.join();
     logToTerminal();
-    return kriva::runEditor(application, editor.files);
+    return kriva::runEditor(application, editor.files, editor.language);
 }

@@ -134,7 +134,7 @@ Request CommandLine::understood(Words words) {
     }
     if (const QString fault = faultOfOptions(words, {}); !fault.isEmpty())
         return UsageError{fault};
-    return EditorRequest{words.plain};
+    return EditorRequest{words.plain, ui::languageOf(words.options.value(u"language"_s))};
 }
 
 QString CommandLine::help() {

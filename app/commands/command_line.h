@@ -12,6 +12,7 @@ namespace kriva::app {
 
 struct EditorRequest {
     QStringList files;
+    std::optional<ui::Language> language; ///< else the one that was chosen last
 };
 struct ExportRequest {
     QString file;

@@ -16,6 +16,7 @@ constexpr std::size_t kSamplesPerSegment = 16;
 constexpr std::size_t kSamplesPerGap = 256;
 /// An exact fit is found to the last digits within ten steps, the others do not get better.
 constexpr int kSteps = 20;
+constexpr double kLongest = 3;
 
 /// A place of the old curve and the parameter of the new cubic where it is nearest.
 struct Sample {
@@ -115,14 +116,16 @@ struct Fitted {
     double deviation = 0;
 };
 
-/// Keeps the best of the steps; a step shortens no handle to less than a tenth, so that none turns round.
+/// Keeps the best of the steps. A step shortens no handle to less than a tenth, so that none turns round, and lengthens
+/// none beyond kLongest times the old way: a cubic that long passes near anything on its way far out and back.
 Fitted fitted(std::span<const Points> segments) {
     std::vector<Sample> samples = samplesOf(segments);
     Fit fit{segments.front().front(), segments.back().back(), startTangent(segments.front()).value_or(Vector{}),
             -endTangent(segments.back()).value_or(Vector{})};
+    double way = distance(fit.start, samples.front().at);
     for (std::size_t i = 1; i < samples.size(); ++i)
-        fit.startLength += distance(samples[i - 1].at, samples[i].at) / 3;
-    fit.endLength = fit.startLength;
+        way += distance(samples[i - 1].at, samples[i].at);
+    fit.startLength = fit.endLength = way / 3;
     Fitted best{fit, std::numeric_limits<double>::infinity()};
     for (int step = 0; step < kSteps; ++step) {
         const Points cubic = cubicOf(fit);
@@ -134,8 +137,8 @@ Fitted fitted(std::span<const Points> segments) {
         if (deviation < best.deviation)
             best = {fit, deviation};
         const Vector by = stepOf(fit, cubic, samples);
-        fit.startLength = std::max(fit.startLength + by.x, fit.startLength / 10);
-        fit.endLength = std::max(fit.endLength + by.y, fit.endLength / 10);
+        fit.startLength = std::clamp(fit.startLength + by.x, fit.startLength / 10, kLongest * way);
+        fit.endLength = std::clamp(fit.endLength + by.y, fit.endLength / 10, kLongest * way);
     }
     return best;
 }

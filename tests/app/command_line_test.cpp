@@ -18,6 +18,8 @@ bool isUsageError(const char* line) {
 TEST(CommandLine, opensTheEditorWithoutACommand) {
     EXPECT_TRUE(std::get<EditorRequest>(parsed("")).files.isEmpty());
     EXPECT_EQ(std::get<EditorRequest>(parsed("a.kriva --language bg")).files, QStringList(QStringLiteral("a.kriva")));
+    EXPECT_EQ(std::get<EditorRequest>(parsed("a.kriva --language bg")).language, ui::Language::Bulgarian);
+    EXPECT_EQ(std::get<EditorRequest>(parsed("a.kriva")).language, std::nullopt);
     EXPECT_EQ(std::get<EditorRequest>(parsed("-- -a")).files, QStringList(QStringLiteral("-a")));
 }
 

@@ -44,7 +44,7 @@ void CanvasScene::fill(Entry& entry, CanvasCurve curve) {
     entry.isActive = curve.isActive;
     entry.isPrepared = false;
     entry.item->setFigure(std::move(curve.figure));
-    entry.item->setZValue(entry.isActive ? 1 : 0);
+    entry.item->setZValue(curve.isOnTop ? 2 : entry.isActive ? 1 : 0);
     areHighlightsPrepared_ = false;
     update();
 }

@@ -15,6 +15,7 @@ struct CanvasCurve {
     Figure figure;
     std::vector<Grip> grips; ///< of what is shown: what is hidden is never hit
     bool isActive = false;
+    bool isOnTop = false; ///< drawn over the active curve
 };
 
 /// The figures, grips and highlights of a canvas in its pixels. It holds what it was given and knows no gesture;

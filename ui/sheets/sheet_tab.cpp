@@ -78,6 +78,7 @@ CanvasCurve SheetTab::canvasCurve(Serial serial) const {
 CanvasCurve SheetTab::canvasRelations() const {
     const SheetIndex sheet = editor_.index();
     CanvasCurve shown;
+    shown.isOnTop = true;
     shown.figure = shownLayers(relations_.relations().figure, layersOf(sheet), editor_.sheet().view, {});
     return shown;
 }

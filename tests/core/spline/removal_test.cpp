@@ -64,6 +64,9 @@ RC_GTEST_PROP(RefittedRemoval, deviatesNoMoreThanItTells, ()) {
     for (const Points& segment : {before[old - 1], before[old]})
         for (const double t : {0.25, 0.5, 1.0})
             RC_ASSERT(nearest(joined, evaluate(segment, t)).distance <= *removal.deviation + 1e-6);
+    // Handles no longer than a few times the way that they stand for: all coordinates are at most 1000.
+    for (const Point p : joined)
+        RC_ASSERT(distance(p, joined.front()) <= 1e5);
 }
 
 TEST(RefittedRemoval, changesTheShapeLessThanAPlainOne) {
