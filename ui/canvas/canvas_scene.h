@@ -1,22 +1,12 @@
 #pragma once
 
+#include "ui/canvas/canvas_curves.h"
 #include "ui/canvas/drawing/grid.h"
 #include "ui/canvas/drawing/highlights.h"
-#include "ui/canvas/figure_item.h"
-#include "ui/canvas/hit_test.h"
 
 #include <QGraphicsScene>
 
 namespace kriva::ui {
-
-/// What a canvas shows of one curve of the sheet.
-struct CanvasCurve {
-    Serial serial = 0;
-    Figure figure;
-    std::vector<Grip> grips; ///< of what is shown: what is hidden is never hit
-    bool isActive = false;
-    bool isOnTop = false; ///< drawn over the active curve
-};
 
 /// The figures, grips and highlights of a canvas in its pixels. It holds what it was given and knows no gesture;
 /// everything is worked out when it is next painted or asked what lies under a pixel.
@@ -49,34 +39,20 @@ class CanvasScene : public QGraphicsScene {
 
     [[nodiscard]] Hit hitAt(QPointF pixel);
     [[nodiscard]] Selection pointsIn(const QRectF& pixels) const;
-    /// All points that can be taken hold of, by curve and index.
-    [[nodiscard]] std::vector<GripRef> points() const;
-    [[nodiscard]] std::optional<Point> placeOf(const GripRef& grip) const;
-    /// Of all figures and grips.
-    [[nodiscard]] Box box() const;
-    [[nodiscard]] Points selectedPlaces() const;
+    [[nodiscard]] const CanvasCurves& curves() const { return curves_; }
+    [[nodiscard]] const Points& selectedPlaces();
 
   protected:
     void drawBackground(QPainter* painter, const QRectF& rectangle) override;
     void drawForeground(QPainter* painter, const QRectF& rectangle) override;
 
   private:
-    struct Entry {
-        Serial serial = 0;
-        bool isActive = false;
-        bool isPrepared = false;
-        std::vector<Grip> grips;
-        FigureItem* item = nullptr; ///< owned by the scene
-    };
-
-    void fill(Entry& entry, CanvasCurve curve);
     void invalidate();
-    void prepareItems();
     void prepareHighlights();
-    [[nodiscard]] std::vector<HitTarget> targets() const;
 
-    std::vector<Entry> entries_;
+    CanvasCurves curves_{*this};
     Selection selection_;
+    std::optional<Points> selectedPlaces_; ///< as long as they are known
     std::optional<GripRef> hovered_;
     std::optional<QRectF> band_;
     Sight sight_;

@@ -9,10 +9,8 @@
 namespace kriva::ui {
 namespace {
 
-// QPainter strokes a long polyline of a wide pen as one shape, whose cost grows faster than its length.
-constexpr qsizetype kPointsAtOnce = 64;
 // Pairs of a label and something it might cover that are looked at in a frame.
-constexpr std::size_t kMostPairs = 200'000;
+constexpr double kMostPairs = 200'000;
 
 [[nodiscard]] bool isOfCurve(Role role) {
     return role == Role::curve || role == Role::run || role == Role::join;
@@ -25,17 +23,6 @@ constexpr std::size_t kMostPairs = 200'000;
     };
     return QColor::fromRgbF(mixed(ink.redF(), paper.redF()), mixed(ink.greenF(), paper.greenF()),
                             mixed(ink.blueF(), paper.blueF()));
-}
-
-void paintPolyline(QPainter& painter, const QPolygonF& polyline) {
-    const bool isFast = painter.pen().widthF() <= 1 || painter.pen().style() != Qt::SolidLine;
-    const qsizetype step = isFast ? polyline.size() : kPointsAtOnce;
-    // Each part begins with the last line of the one before, so that the joint between them has no gap.
-    for (qsizetype first = 0; first + 1 < polyline.size(); first += step) {
-        const qsizetype from = std::max<qsizetype>(0, first - 1);
-        const qsizetype to = std::min(polyline.size(), first + step + 1);
-        painter.drawPolyline(polyline.constData() + from, static_cast<int>(to - from));
-    }
 }
 
 // Core places labels on a page in millimetres. What is seen is such a page, its document units being pixels, y up.
@@ -53,40 +40,50 @@ void paintPolyline(QPainter& painter, const QPolygonF& polyline) {
 
 } // namespace
 
-void FigureItem::prepare(const Sight& sight) {
+void FigureItem::prepare(const Sight& sight, MarkPictures& pictures, FrameLoad& frame) {
     if (seen_ != sight.rectangle()) {
         prepareGeometryChange();
         seen_ = sight.rectangle();
     }
     devicePixelRatio_ = sight.devicePixelRatio;
     labelColor_ = toQt(styleOf(Role::label, 0, sight.theme).color);
-    pointCount_ = 0;
     curveLines_.clear();
     layers_.clear();
     layers_.reserve(figure_.layers.size());
-    for (const Layer& layer : figure_.layers) {
-        PreparedLayer& prepared = layers_.emplace_back();
-        for (const Stroke& stroke : layer.strokes)
-            prepareStroke(stroke, sight, prepared);
-        for (const Marks& marks : layer.marks) {
-            const RoleStyle style = styleOf(marks.role, marks.series, sight.theme);
-            if (style.marker != Marker::none)
-                prepared.marks.push_back(
-                    stampsAt(marks.at, markPicture(style, devicePixelRatio_), sight.viewport, devicePixelRatio_));
-        }
-    }
-    prepareLabels(sight);
+    const FrameLoad before = frame;
+    for (const Layer& layer : figure_.layers)
+        prepareLayer(layer, sight, pictures, frame);
+    load_ = frame - before;
+    if (!frame.isTooMuch())
+        prepareLabels(sight);
 }
 
-void FigureItem::prepareStroke(const Stroke& stroke, const Sight& sight, PreparedLayer& layer) {
-    Line line{penOf(styleOf(stroke, sight.theme), kPixelsPerPoint), stroke.role, {}};
-    line.pen.setColor(faded(line.pen.color(), toQt(paperColor(sight.theme)), stroke.strength));
-    line.polylines = visiblePolylines(stroke.path, sight.viewport, line.pen.widthF() + 2, sight.fineness);
-    for (const QPolygonF& polyline : line.polylines)
-        pointCount_ += static_cast<std::size_t>(polyline.size());
+void FigureItem::prepareLayer(const Layer& layer, const Sight& sight, MarkPictures& pictures, FrameLoad& frame) {
+    PreparedLayer& seen = layers_.emplace_back();
+    if (frame.isTooMuch())
+        return;
+    for (const Stroke& stroke : layer.strokes)
+        seen.strokes.push_back(prepared(stroke, sight, frame));
+    StampView view{sight.viewport, devicePixelRatio_, sight.fineness.markSpacing};
+    for (const Marks& marks : layer.marks) {
+        const RoleStyle style = styleOf(marks.role, marks.series, sight.theme);
+        if (style.marker == Marker::none)
+            continue;
+        view.most = FrameLoad::kMarks - frame.marks;
+        seen.marks.push_back(stampsAt(marks.at, pictures.picture(style, devicePixelRatio_), view));
+        frame.marks += static_cast<double>(seen.marks.back().places.size());
+    }
+}
+
+PreparedStroke FigureItem::prepared(const Stroke& stroke, const Sight& sight, FrameLoad& frame) {
+    QPen pen = penOf(styleOf(stroke, sight.theme), kPixelsPerPoint);
+    pen.setColor(faded(pen.color(), toQt(paperColor(sight.theme)), stroke.strength));
+    PreparedStroke result =
+        preparedStroke(visiblePolylines(stroke.path, sight.viewport, pen.widthF(), sight.fineness, frame), pen,
+                       sight.devicePixelRatio);
     if (isOfCurve(stroke.role))
-        curveLines_.insert(curveLines_.end(), line.polylines.begin(), line.polylines.end());
-    layer.lines.push_back(std::move(line));
+        curveLines_.insert(curveLines_.end(), result.polylines.begin(), result.polylines.end());
+    return result;
 }
 
 void FigureItem::prepareLabels(const Sight& sight) {
@@ -115,24 +112,21 @@ std::vector<std::vector<Label>> FigureItem::seenLabels(const Viewport& viewport)
 
 Figure FigureItem::seenFigure(std::vector<std::vector<Label>> labels) const {
     std::size_t labelCount = 0;
-    std::size_t obstacles = pointCount_;
-    for (std::size_t i = 0; i < layers_.size(); ++i) {
-        labelCount += labels[i].size();
-        for (const Stamps& marks : layers_[i].marks)
-            obstacles += marks.places.size();
-    }
-    const bool areObstaclesSeen = labelCount * obstacles <= kMostPairs;
+    for (const std::vector<Label>& ofLayer : labels)
+        labelCount += ofLayer.size();
+    const bool areObstaclesSeen =
+        labelCount > 0 && static_cast<double>(labelCount) * (load_.points + load_.marks) <= kMostPairs;
     Figure seen;
     for (std::size_t i = 0; i < layers_.size(); ++i) {
         Layer& layer = seen.layers.emplace_back();
         layer.labels = std::move(labels[i]);
-        if (labelCount == 0 || !areObstaclesSeen)
+        if (!areObstaclesSeen)
             continue;
-        for (const Line& line : layers_[i].lines) {
-            for (const QPolygonF& polyline : line.polylines) {
+        for (std::size_t k = 0; k < layers_[i].strokes.size(); ++k) {
+            for (const QPolygonF& seenLine : layers_[i].strokes[k].polylines) {
                 Points points;
-                std::ranges::transform(polyline, std::back_inserter(points), onPageOfView);
-                layer.strokes.push_back({.path = kriva::polyline(points), .role = line.role});
+                std::ranges::transform(seenLine, std::back_inserter(points), onPageOfView);
+                layer.strokes.push_back({.path = polyline(points), .role = figure_.layers[i].strokes[k].role});
             }
         }
         for (const Stamps& marks : layers_[i].marks) {
@@ -148,11 +142,8 @@ Figure FigureItem::seenFigure(std::vector<std::vector<Label>> labels) const {
 void FigureItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     const LabelFonts fonts = labelFonts(kPixelsPerPoint);
     for (const PreparedLayer& layer : layers_) {
-        for (const Line& line : layer.lines) {
-            painter->setPen(line.pen);
-            for (const QPolygonF& polyline : line.polylines)
-                paintPolyline(*painter, polyline);
-        }
+        for (const PreparedStroke& stroke : layer.strokes)
+            kriva::ui::paint(*painter, stroke);
         for (const Stamps& marks : layer.marks)
             kriva::ui::paint(*painter, marks, devicePixelRatio_);
         painter->setPen(labelColor_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/canvas/drawing/prepared_stroke.h"
 #include "ui/canvas/drawing/stamps.h"
 #include "ui/canvas/drawing/visible_path.h"
 #include "ui/figures/figure_ink.h"
@@ -28,9 +29,10 @@ class FigureItem : public QGraphicsItem {
     void setFigure(Figure figure) { figure_ = std::move(figure); }
     [[nodiscard]] const Figure& figure() const { return figure_; }
 
-    void prepare(const Sight& sight);
-    /// Of all polylines, as prepared.
-    [[nodiscard]] std::size_t pointCount() const { return pointCount_; }
+    /// Adds to the load of the frame, and stops early where that is too much.
+    void prepare(const Sight& sight, MarkPictures& pictures, FrameLoad& frame);
+    /// Its part of the frame.
+    [[nodiscard]] const FrameLoad& load() const { return load_; }
     /// The polylines of the curve itself, by which it is taken hold of.
     [[nodiscard]] const std::vector<QPolygonF>& curveLines() const { return curveLines_; }
 
@@ -38,18 +40,14 @@ class FigureItem : public QGraphicsItem {
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
   private:
-    struct Line {
-        QPen pen;
-        Role role = Role::curve;
-        std::vector<QPolygonF> polylines;
-    };
     struct PreparedLayer {
-        std::vector<Line> lines;
+        std::vector<PreparedStroke> strokes;
         std::vector<Stamps> marks;
         std::vector<PlacedLabel> labels;
     };
 
-    void prepareStroke(const Stroke& stroke, const Sight& sight, PreparedLayer& layer);
+    void prepareLayer(const Layer& layer, const Sight& sight, MarkPictures& pictures, FrameLoad& frame);
+    [[nodiscard]] PreparedStroke prepared(const Stroke& stroke, const Sight& sight, FrameLoad& frame);
     void prepareLabels(const Sight& sight);
     [[nodiscard]] std::vector<std::vector<Label>> seenLabels(const Viewport& viewport) const;
     [[nodiscard]] Figure seenFigure(std::vector<std::vector<Label>> labels) const;
@@ -57,7 +55,7 @@ class FigureItem : public QGraphicsItem {
     Figure figure_;
     std::vector<PreparedLayer> layers_;
     std::vector<QPolygonF> curveLines_;
-    std::size_t pointCount_ = 0;
+    FrameLoad load_;
     double devicePixelRatio_ = 1;
     QColor labelColor_;
     QRectF seen_;

@@ -4,6 +4,8 @@
 #include "ui/canvas/qt_geometry.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace kriva::ui {
@@ -12,15 +14,19 @@ namespace {
 // Grips whose distances differ by less than this are in one place for the eye and the hand.
 constexpr double kSamePlace = 0.5;
 
-[[nodiscard]] double distanceTo(QPointF pixel, Point p, const Viewport& viewport) {
-    return distance(toCore(pixel), toCore(viewport.toPixels(p)));
+/// In pixels; infinite where it is beyond kGripReach, which is told without a root.
+[[nodiscard]] double distanceWithinReach(QPointF pixel, Point p, const Viewport& viewport) {
+    const QPointF way = viewport.toPixels(p) - pixel;
+    if (std::abs(way.x()) > kGripReach || std::abs(way.y()) > kGripReach)
+        return std::numeric_limits<double>::infinity();
+    return std::hypot(way.x(), way.y());
 }
 
 [[nodiscard]] double nearestDistance(QPointF pixel, std::span<const HitTarget> targets, const Viewport& viewport) {
     double nearest = kGripReach;
     for (const HitTarget& target : targets)
         for (const Grip& grip : target.grips)
-            nearest = std::min(nearest, distanceTo(pixel, grip.at, viewport));
+            nearest = std::min(nearest, distanceWithinReach(pixel, grip.at, viewport));
     return nearest;
 }
 
@@ -32,7 +38,7 @@ constexpr double kSamePlace = 0.5;
     Preference bestPreference;
     for (const HitTarget& target : targets) {
         for (const Grip& grip : target.grips) {
-            const double away = distanceTo(pixel, grip.at, viewport);
+            const double away = distanceWithinReach(pixel, grip.at, viewport);
             if (away > reach)
                 continue;
             const GripRef candidate{target.serial, grip.id};

@@ -25,10 +25,6 @@ constexpr double kLargestScale = 1e18;
 
 } // namespace
 
-QPointF Viewport::toPixels(Point p) const {
-    return {size.width() / 2 + (p.x - centre.x) * scale, size.height() / 2 - (p.y - centre.y) * scale};
-}
-
 Point Viewport::toDocument(QPointF pixel) const {
     return withinLimits(
         Point{centre.x + (pixel.x() - size.width() / 2) / scale, centre.y - (pixel.y() - size.height() / 2) / scale});

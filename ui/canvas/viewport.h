@@ -19,7 +19,9 @@ struct Viewport {
     /// 1 at 100 %.
     [[nodiscard]] double zoom() const { return scale / unitScale; }
     /// Finite for every point within the model's limits, and then below 1e28.
-    [[nodiscard]] QPointF toPixels(Point p) const;
+    [[nodiscard]] QPointF toPixels(Point p) const {
+        return {size.width() / 2 + (p.x - centre.x) * scale, size.height() / 2 - (p.y - centre.y) * scale};
+    }
     /// Within the model's limits on numbers, whatever the pixel.
     [[nodiscard]] Point toDocument(QPointF pixel) const;
 };

@@ -38,7 +38,8 @@ class HitTest : public ::testing::Test {
             }
             for (int k = 0; k <= 2'000; ++k)
                 curve.pixels.push_back(toCore(viewport.toPixels(evaluate(curve.points, k / 2e3))));
-            curve.lines = visiblePolylines(singleCurve(curve.points), viewport, 0);
+            FrameLoad load;
+            curve.lines = visiblePolylines(singleCurve(curve.points), viewport, 0, {}, load);
             curves.push_back(std::move(curve));
         }
         targets.clear();

@@ -1,5 +1,7 @@
 #include "ui/canvas/drawing/highlights.h"
 
+#include "ui/canvas/drawing/frame_load.h"
+
 #include <QPainter>
 
 namespace kriva::ui {
@@ -20,16 +22,18 @@ constexpr float kBandOpacity = 0.15F;
 } // namespace
 
 std::vector<Stamps> highlights(std::span<const Point> selected, std::optional<Point> hovered,
-                               const HighlightColors& colors, const Viewport& viewport, double devicePixelRatio) {
+                               const HighlightColors& colors, StampView view) {
     const Color accent = toCore(colors.accent);
     const RoleStyle disc{toCore(colors.ink), 0, {}, Marker::circle, kSelectedSize, kOutline, accent};
     const RoleStyle ring{accent, 0, {}, Marker::ring, kHoveredSize, kOutline, {}};
-    const auto marks = [&](const RoleStyle& style, std::span<const Point> points) {
-        return stampsAt(points, markPicture(style, devicePixelRatio), viewport, devicePixelRatio);
-    };
-    std::vector<Stamps> stamps{marks(disc, selected)};
+    std::vector<Stamps> stamps;
     if (hovered)
-        stamps.push_back(marks(ring, {&*hovered, 1}));
+        stamps.push_back(stampsAt({&*hovered, 1}, markPicture(ring, view.devicePixelRatio), view));
+    view.most = FrameLoad::kMarks;
+    Stamps discs = stampsAt(selected, markPicture(disc, view.devicePixelRatio), view);
+    for (; static_cast<double>(discs.places.size()) > view.most; view.spacing *= 2)
+        discs = stampsAt(selected, discs.picture, view);
+    stamps.insert(stamps.begin(), std::move(discs));
     return stamps;
 }
 

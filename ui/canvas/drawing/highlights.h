@@ -15,8 +15,7 @@ struct HighlightColors {
 
 /// The marks over selected grips and, larger and hollow, over the one under the pointer: they differ without colour.
 [[nodiscard]] std::vector<Stamps> highlights(std::span<const Point> selected, std::optional<Point> hovered,
-                                             const HighlightColors& colors, const Viewport& viewport,
-                                             double devicePixelRatio);
+                                             const HighlightColors& colors, StampView view);
 
 /// The rectangle in which points are being selected, in pixels.
 void paintRubberBand(QPainter& painter, const QRectF& band, const HighlightColors& colors);

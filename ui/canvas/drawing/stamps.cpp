@@ -5,37 +5,45 @@
 
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace kriva::ui {
 namespace {
 
-// More marks than this stand so thick that those on the same few pixels are left out.
-constexpr std::size_t kMostStamps = 20'000;
-constexpr int kThickestCell = 8;
+/// The squares of a view, and which of them hold a mark already.
+class Squares {
+  public:
+    Squares(QSizeF size, double side)
+        : side_(side)
+        , columns_(static_cast<std::size_t>(size.width() / side) + 1)
+        , isTaken_(columns_ * (static_cast<std::size_t>(size.height() / side) + 1)) {}
 
-/// The middles of the marks that are seen, in device pixels; of those in the same cell the first.
-[[nodiscard]] std::vector<QPoint> seenPixels(std::span<const Point> points, const Viewport& viewport,
-                                             double devicePixelRatio, double margin, int cell) {
-    const double right = viewport.size.width() * devicePixelRatio + margin;
-    const double bottom = viewport.size.height() * devicePixelRatio + margin;
-    const auto columns = static_cast<std::size_t>((right + margin) / cell) + 1;
-    const auto rows = static_cast<std::size_t>((bottom + margin) / cell) + 1;
-    std::vector<bool> isTaken(columns * rows);
-    std::vector<QPoint> seen;
-    for (const Point p : points) {
-        const QPointF pixel = viewport.toPixels(p) * devicePixelRatio;
-        if (!(pixel.x() >= -margin && pixel.x() <= right && pixel.y() >= -margin && pixel.y() <= bottom))
-            continue;
-        const auto column = static_cast<std::size_t>((pixel.x() + margin) / cell);
-        const auto row = static_cast<std::size_t>((pixel.y() + margin) / cell);
-        if (isTaken[row * columns + column])
-            continue;
-        isTaken[row * columns + column] = true;
-        seen.push_back(pixel.toPoint());
+    /// False if the square of this place is taken already.
+    bool take(QPointF place) {
+        const auto column = static_cast<std::size_t>(place.x() / side_);
+        const auto row = static_cast<std::size_t>(place.y() / side_);
+        const bool wasTaken = isTaken_[row * columns_ + column];
+        isTaken_[row * columns_ + column] = true;
+        return !wasTaken;
     }
-    return seen;
+
+  private:
+    double side_;
+    std::size_t columns_;
+    std::vector<bool> isTaken_;
+};
+
+// Every curve may have its own colour, and colours come and go while one is chosen.
+constexpr std::size_t kMostPictures = 256;
+
+[[nodiscard]] bool hasSameMarks(const RoleStyle& a, const RoleStyle& b) {
+    return a.marker == b.marker && a.markerSize == b.markerSize && a.markerWidth == b.markerWidth &&
+           a.color == b.color && a.markerFill == b.markerFill;
 }
+
+// So few marks are drawn twice rather than looked at for being in the same place.
+constexpr std::size_t kFew = 64;
 
 } // namespace
 
@@ -51,16 +59,33 @@ QPixmap markPicture(const RoleStyle& style, double devicePixelRatio) {
     return picture;
 }
 
-Stamps stampsAt(std::span<const Point> points, QPixmap picture, const Viewport& viewport, double devicePixelRatio) {
+QPixmap MarkPictures::picture(const RoleStyle& style, double devicePixelRatio) {
+    const auto known = std::ranges::find_if(entries_, [&](const Entry& entry) {
+        return entry.devicePixelRatio == devicePixelRatio && hasSameMarks(entry.style, style);
+    });
+    if (known != entries_.end())
+        return known->picture;
+    if (entries_.size() == kMostPictures)
+        entries_.clear();
+    return entries_.emplace_back(style, devicePixelRatio, markPicture(style, devicePixelRatio)).picture;
+}
+
+Stamps stampsAt(std::span<const Point> points, QPixmap picture, const StampView& view) {
     Stamps stamps{std::move(picture), {}};
     const QPoint middle(stamps.picture.width() / 2, stamps.picture.height() / 2);
-    for (int cell = 1; cell <= kThickestCell; cell *= 2) {
-        stamps.places = seenPixels(points, viewport, devicePixelRatio, middle.x(), cell);
-        if (stamps.places.size() <= kMostStamps)
+    // A mark is seen if any of its pixels is.
+    const double margin = middle.x();
+    const QSizeF size = view.viewport.size * view.devicePixelRatio + QSizeF(2 * margin, 2 * margin);
+    const QRectF seen(-margin, -margin, size.width(), size.height());
+    const bool areFew = points.size() <= kFew && view.spacing == 1;
+    Squares squares(areFew ? QSizeF() : size, view.spacing);
+    for (const Point p : points) {
+        if (static_cast<double>(stamps.places.size()) > view.most)
             break;
+        const QPointF pixel = view.viewport.toPixels(p) * view.devicePixelRatio;
+        if (seen.contains(pixel) && (areFew || squares.take(pixel - seen.topLeft())))
+            stamps.places.push_back(pixel.toPoint() - middle);
     }
-    for (QPoint& place : stamps.places)
-        place -= middle;
     return stamps;
 }
 

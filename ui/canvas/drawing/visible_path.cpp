@@ -1,9 +1,9 @@
 #include "ui/canvas/drawing/visible_path.h"
 
-#include "core/geometry/segment.h"
 #include "ui/canvas/qt_geometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -12,6 +12,10 @@ namespace {
 
 // Each halving halves the control polygon; 64 of them take 1e28 pixels, the most there can be, below any tolerance.
 constexpr int kMostHalvings = 96;
+// Pieces are left out so many at a time: what is drawn stays a part of the curve.
+constexpr std::size_t kRun = 16;
+// Pixels beyond the view, for antialiasing.
+constexpr double kMargin = 2;
 
 [[nodiscard]] bool isInside(Point p, const Box& box) {
     return p.x >= box.xmin && p.x <= box.xmax && p.y >= box.ymin && p.y <= box.ymax;
@@ -46,29 +50,52 @@ void narrow(double from, double step, std::pair<double, double> bounds, std::pai
                      range.second < 1 ? heldIn(lerp(from, to, range.second), box) : to);
 }
 
-/// Control points this close to the chord keep curve and chord within the tolerance of each other, both ways.
-[[nodiscard]] bool isFlat(std::span<const Point> curve, double tolerance) {
-    return std::ranges::all_of(curve.subspan(1),
-                               [&](Point p) { return distanceToSegment(p, curve.front(), curve.back()) <= tolerance; });
+[[nodiscard]] double squared(Vector v) {
+    return dot(v, v);
 }
 
-/// Strings lines together to polylines as long as each starts where the one before ended.
+/// Control points this close to the chord keep curve and chord within the tolerance of each other, both ways. Told
+/// without a root or a division: this is asked of every piece of every curve in every frame.
+[[nodiscard]] bool isFlat(std::span<const Point> curve, double tolerance) {
+    const Vector chord = curve.back() - curve.front();
+    const double squaredChord = squared(chord);
+    const double squaredTolerance = tolerance * tolerance;
+    return std::ranges::all_of(curve.subspan(1, curve.size() - 2), [&](Point p) {
+        const Vector way = p - curve.front();
+        const double along = dot(way, chord);
+        if (along <= 0)
+            return squared(way) <= squaredTolerance;
+        if (along >= squaredChord)
+            return squared(p - curve.back()) <= squaredTolerance;
+        const double across = cross(chord, way);
+        return across * across <= squaredTolerance * squaredChord;
+    });
+}
+
+/// Strings lines together to polylines as long as each starts where the one before ended, without the points that are
+/// close to the one before or to the line that they would be on.
 class PolylineBuilder {
   public:
-    explicit PolylineBuilder(double spacing)
-        : spacing_(spacing) {}
+    PolylineBuilder(const Fineness& fineness, double penWidth, FrameLoad& load)
+        : spacing_(fineness.spacing)
+        , sleeve_(std::max(fineness.tolerance, kSleeve * fineness.spacing))
+        , inkWidth_(std::max(1.0, penWidth))
+        , load_(load) {}
 
     void addLine(Point from, Point to) {
         if (!end_ || *end_ != from) {
             finishPolyline();
             current_.append(toQt(from));
-            kept_ = from;
+            keep(from);
+        }
+        double away = std::sqrt(squared(to - kept_));
+        if (hasCandidate() && (away < reach_ - sleeve_ || (away >= spacing_ && !isInCone(to - kept_)))) {
+            append(*end_);
+            away = std::sqrt(squared(to - kept_));
         }
         end_ = to;
-        if (distance(kept_, to) >= spacing_) {
-            current_.append(toQt(to));
-            kept_ = to;
-        }
+        if (away >= spacing_)
+            narrowCone(to - kept_, away);
     }
     std::vector<QPolygonF> finished() {
         finishPolyline();
@@ -76,29 +103,61 @@ class PolylineBuilder {
     }
 
   private:
+    // A point this part of the spacing beside a line may as well be on it.
+    static constexpr double kSleeve = 0.4;
+
+    void append(Point p) {
+        load_.points += 1;
+        load_.ink += inkWidth_ * std::sqrt(squared(p - kept_));
+        current_.append(toQt(p));
+        keep(p);
+    }
+    void keep(Point p) {
+        kept_ = p;
+        reach_ = 0;
+    }
+    [[nodiscard]] bool hasCandidate() const { return reach_ > 0; }
+    /// The directions from the kept point that pass all points since then within the sleeve.
+    [[nodiscard]] bool isInCone(Vector way) const { return cross(right_, way) >= 0 && cross(way, left_) >= 0; }
+    void narrowCone(Vector way, double away) {
+        const Vector aside = sleeve_ / away * Vector{-way.y, way.x};
+        if (!hasCandidate() || cross(way + aside, left_) > 0)
+            left_ = way + aside;
+        if (!hasCandidate() || cross(right_, way - aside) > 0)
+            right_ = way - aside;
+        reach_ = std::max(reach_, away);
+    }
     void finishPolyline() {
         if (!end_)
             return;
         if (kept_ != *end_ || current_.size() == 1)
-            current_.append(toQt(*end_));
+            append(*end_);
         polylines_.push_back(std::exchange(current_, {}));
         end_.reset();
     }
 
     double spacing_;
+    double sleeve_;
+    double inkWidth_;
+    FrameLoad& load_;
     std::vector<QPolygonF> polylines_;
     QPolygonF current_;
-    Point kept_;               ///< the last point of current_
-    std::optional<Point> end_; ///< of the last line, which may have been left out of current_
+    Point kept_;       ///< the last point of current_
+    double reach_ = 0; ///< how far the points since then went
+    Vector left_;      ///< the cone's two sides
+    Vector right_;
+    std::optional<Point> end_; ///< of the last line, which is not in current_ yet
 };
 
 /// Halves one piece, given in pixels, until what is left of it is flat or out of sight.
 class Flattener {
   public:
-    Flattener(const Box& seen, Fineness fineness)
+    Flattener(const Box& seen, const Fineness& fineness, double penWidth, FrameLoad& load)
         : seen_(seen)
         , tolerance_(fineness.tolerance)
-        , builder_(fineness.spacing) {}
+        , spacing_(fineness.spacing)
+        , load_(load)
+        , builder_(fineness, penWidth, load) {}
 
     void addPiece(std::span<const Point> piece) {
         // Pieces on the stack are halved on top of it: it must not move.
@@ -109,9 +168,11 @@ class Flattener {
 
   private:
     void add(std::span<const Point> curve, int halvings) {
-        if (!overlap(boxOf(curve), seen_))
+        const Box box = boxOf(curve);
+        if (!overlap(box, seen_) || load_.isTooMuch())
             return;
-        if (curve.size() <= 2 || halvings == kMostHalvings || isFlat(curve, tolerance_)) {
+        const bool isDot = box.width() < spacing_ && box.height() < spacing_;
+        if (curve.size() <= 2 || isDot || halvings == kMostHalvings || isFlat(curve, tolerance_)) {
             addChord(curve.front(), curve.back());
             return;
         }
@@ -144,17 +205,23 @@ class Flattener {
 
     Box seen_;
     double tolerance_;
+    double spacing_;
+    const FrameLoad& load_;
     PolylineBuilder builder_;
     Points stack_;
 };
 
 } // namespace
 
-std::vector<QPolygonF> visiblePolylines(const Path& path, const Viewport& viewport, double margin, Fineness fineness) {
-    const Box seen = grown({0, 0, viewport.size.width(), viewport.size.height()}, margin);
-    Flattener flattener(seen, fineness);
+std::vector<QPolygonF> visiblePolylines(const Path& path, const Viewport& viewport, double penWidth,
+                                        const Fineness& fineness, FrameLoad& load) {
+    const Box seen = grown({0, 0, viewport.size.width(), viewport.size.height()}, penWidth + kMargin);
+    Flattener flattener(seen, fineness, penWidth, load);
+    const auto share = static_cast<std::size_t>(fineness.share);
     Points pixels;
     forEachPiece(path, [&](std::span<const Point> piece) {
+        if (load.pieces++ / kRun % share != 0 || load.isTooMuch())
+            return;
         pixels.clear();
         for (const Point p : piece)
             pixels.push_back(toCore(viewport.toPixels(p)));

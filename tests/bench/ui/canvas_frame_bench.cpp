@@ -1,0 +1,201 @@
+#include "ui/canvas/canvas_view.h"
+#include "ui/canvas/qt_geometry.h"
+
+#include <benchmark/benchmark.h>
+#include <QApplication>
+#include <QImage>
+
+#include <cmath>
+#include <random>
+
+// How long one frame of the canvas takes, from a new value to the pixels, at 1000 x 1000 on the raster engine.
+namespace kriva::ui {
+namespace {
+
+class NoClient : public CanvasClient {
+  public:
+    void addPoint(Point) override {}
+    void addPointOn(GripRef, Point) override {}
+    void insertPoint(Serial, Point) override {}
+    void removePoint(GripRef) override {}
+    void removeSelected(Removal) override {}
+    void select(Selection) override {}
+    void activateCurve(Serial) override {}
+    void beginDrag(GripRef) override {}
+    void beginAddDrag(Point) override {}
+    void beginCurveDrag(Serial, Point) override {}
+    void drag(Vector, Qt::KeyboardModifiers) override {}
+    void endDrag() override {}
+    void cancelDrag() override {}
+    void nudge(Vector) override {}
+    void hover(const Hit&, Point, Qt::KeyboardModifiers) override {}
+};
+
+/// What a spline tab shows: the curve of cubics, its knots' polygon, marks, and a grip for each knot.
+CanvasCurve splineOf(const Points& knots, Serial serial = 1) {
+    Path path{{knots.front()}, {}, false};
+    for (std::size_t i = 1; i < knots.size(); ++i) {
+        const Vector way = knots[i] - knots[i - 1];
+        const Vector across{-way.y / 4, way.x / 4};
+        path.points.insert(path.points.end(), {knots[i - 1] + way / 3 + across, knots[i] - way / 3 - across, knots[i]});
+        path.degrees.push_back(3);
+    }
+    CanvasCurve curve;
+    curve.serial = serial;
+    curve.isActive = true;
+    curve.figure.layers = {{"control-polygon", {{.path = polyline(knots), .role = Role::controlPolygon}}},
+                           {"curve", {{.path = path}}},
+                           {"knots", {}, {{knots, Role::knot}}}};
+    for (const Point knot : knots)
+        curve.grips.push_back({{GripKind::point, static_cast<int>(curve.grips.size()), 0}, knot});
+    return curve;
+}
+
+/// A wave that fills the square from -1 to 1.
+Points wave(int count) {
+    Points points;
+    for (int i = 0; i < count; ++i) {
+        const double t = 2.0 * i / (count - 1) - 1;
+        points.push_back({t, 0.9 * std::sin(40 * t) * std::cos(3 * t)});
+    }
+    return points;
+}
+/// Points all over the square, each far from the one before: the most ink there can be.
+Points scribble(int count) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> anywhere(-1, 1);
+    Points points;
+    for (int i = 0; i < count; ++i)
+        points.push_back({anywhere(random), anywhere(random)});
+    return points;
+}
+
+class Canvas {
+  public:
+    Canvas() { view_.resize(1000, 1000); }
+
+    CanvasView& view() { return view_; }
+    void paint() { view_.QWidget::render(&image_); }
+    void look(double zoom, Point centre = {}) {
+        view_.setMapping(zoomedTo({.scale = 1, .centre = centre, .size = {1000, 1000}, .unitScale = 480}, zoom));
+    }
+
+  private:
+    NoClient client_;
+    CanvasView view_{client_};
+    QImage image_{1000, 1000, QImage::Format_RGB32};
+};
+
+void dragFrame(benchmark::State& state) {
+    Canvas canvas;
+    Points knots = wave(static_cast<int>(state.range(0)));
+    canvas.view().setCurves({splineOf(knots)});
+    canvas.look(1);
+    for (auto _ : state) {
+        knots[knots.size() / 2].y += 1e-3;
+        canvas.view().updateCurve(splineOf(knots));
+        canvas.paint();
+    }
+}
+BENCHMARK(dragFrame)->Arg(4)->Arg(100)->Arg(1'000)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
+
+void panFrame(benchmark::State& state, Points (*points)(int)) {
+    Canvas canvas;
+    canvas.view().setCurves({splineOf(points(static_cast<int>(state.range(0))))});
+    double x = 0;
+    for (auto _ : state) {
+        canvas.look(static_cast<double>(state.range(1)), {x += 1e-3 / static_cast<double>(state.range(1)), 0.1});
+        canvas.paint();
+    }
+}
+BENCHMARK_CAPTURE(panFrame, wave, wave)->ArgsProduct({{1'000, 100'000}, {1, 10, 1'000}})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(panFrame, scribble, scribble)
+    ->ArgsProduct({{1'000, 10'000, 100'000}, {1, 10, 1'000}})
+    ->Unit(benchmark::kMillisecond);
+
+void zoomFrame(benchmark::State& state, double zoom) {
+    Canvas canvas;
+    canvas.view().setCurves({splineOf(scribble(10'000))});
+    double x = 0;
+    for (auto _ : state) {
+        canvas.look(zoom, {x += 1e-3 / zoom, 0.1});
+        canvas.paint();
+    }
+}
+BENCHMARK_CAPTURE(zoomFrame, 1e-6, 1e-6)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(zoomFrame, 1e-3, 1e-3)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(zoomFrame, 0.1, 0.1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(zoomFrame, 1e3, 1e3)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(zoomFrame, 1e6, 1e6)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(zoomFrame, 1e9, 1e9)->Unit(benchmark::kMillisecond);
+
+void penFrame(benchmark::State& state, Points (*points)(int)) {
+    Canvas canvas;
+    CanvasCurve curve = splineOf(points(static_cast<int>(state.range(0))));
+    const double width = static_cast<double>(state.range(1)) / kPixelsPerPoint;
+    for (Layer& layer : curve.figure.layers)
+        for (Stroke& stroke : layer.strokes)
+            stroke.style.width = width;
+    canvas.view().setCurves({std::move(curve)});
+    double x = 0;
+    for (auto _ : state) {
+        canvas.look(1, {x += 1e-3, 0.1});
+        canvas.paint();
+    }
+}
+BENCHMARK_CAPTURE(penFrame, wave, wave)->ArgsProduct({{100, 10'000}, {1, 4, 20}})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(penFrame, scribble, scribble)
+    ->ArgsProduct({{100, 10'000}, {1, 4, 20}})
+    ->Unit(benchmark::kMillisecond);
+
+void manyCurves(benchmark::State& state) {
+    Canvas canvas;
+    std::vector<CanvasCurve> curves;
+    for (int i = 0; i < 1'000; ++i) {
+        Points points = wave(static_cast<int>(state.range(0)));
+        for (Point& p : points)
+            p.y = p.y / 10 + i / 500.0 - 1;
+        curves.push_back(splineOf(points, static_cast<Serial>(i) + 1));
+    }
+    canvas.view().setCurves(std::move(curves));
+    double x = 0;
+    for (auto _ : state) {
+        canvas.look(1, {x += 1e-3, 0});
+        canvas.paint();
+    }
+}
+BENCHMARK(manyCurves)->Arg(10)->Arg(1'000)->Unit(benchmark::kMillisecond);
+
+void highDegree(benchmark::State& state) {
+    Canvas canvas;
+    const Points points = scribble(static_cast<int>(state.range(0)) + 1);
+    double x = 0;
+    canvas.view().setCurves({{1, {{{"curve", {{.path = singleCurve(points)}}}}}, {}, true}});
+    for (auto _ : state) {
+        canvas.look(static_cast<double>(state.range(1)), {x += 1e-3 / static_cast<double>(state.range(1)), 0});
+        canvas.paint();
+    }
+}
+BENCHMARK(highDegree)->ArgsProduct({{3, 30, 200}, {1, 1'000, 1'000'000}})->Unit(benchmark::kMillisecond);
+
+void hover(benchmark::State& state) {
+    Canvas canvas;
+    canvas.view().setCurves({splineOf(wave(static_cast<int>(state.range(0))))});
+    canvas.look(1);
+    canvas.paint();
+    double x = 0;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(canvas.view().hitAt({x += 0.1, 500}));
+}
+BENCHMARK(hover)->Arg(1'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
+
+} // namespace
+} // namespace kriva::ui
+
+int main(int argc, char** argv) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QApplication application(argc, argv);
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QLineF>
+#include <QList>
+#include <QPen>
+#include <QPolygonF>
+
+#include <vector>
+
+class QPainter;
+
+namespace kriva::ui {
+
+/// Polylines with the pen they are drawn with, in the way that QPainter is fast with. It strokes polylines of pens
+/// wider than a device pixel as one shape, 25 times slower than the same lines one by one.
+struct PreparedStroke {
+    QPen pen;
+    std::vector<QPolygonF> polylines;
+    QList<QLineF> lines; ///< of a wide pen, cut into its dashes; drawn instead of the polylines
+};
+
+[[nodiscard]] PreparedStroke preparedStroke(std::vector<QPolygonF> polylines, QPen pen, double devicePixelRatio);
+
+void paint(QPainter& painter, const PreparedStroke& stroke);
+
+} // namespace kriva::ui
