@@ -56,6 +56,7 @@ PointsPanel::PointsPanel(SheetEditor& editor, const std::vector<PointColumn>& co
     setTabKeyNavigation(false);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    horizontalHeader()->setResizeContentsPrecision(0); // as wide as what is seen needs: there may be very many rows
     for (int column = PointsModel::kY + 1; column < model_.columnCount(); ++column)
         horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     auto* coordinates = new CoordinateDelegate(this);

@@ -1,8 +1,6 @@
 #include "ui/panels/results_panel.h"
 
-#include "ui/panels/result_text.h"
-#include "ui/sheets/sheet_editor.h"
-#include "ui/sheets/sheet_relations.h"
+#include "ui/sheets/results/sheet_relations.h"
 
 #include <QClipboard>
 #include <QEvent>
@@ -13,76 +11,42 @@
 #include <algorithm>
 
 namespace kriva::ui {
-namespace {
 
-constexpr int kShownDigits = 10;
-constexpr int kFullDigits = 17;
-
-} // namespace
-
-ResultsPanel::ResultsPanel(SheetEditor& editor, const SheetRelations& relations, QWidget* parent)
-    : QTreeWidget(parent)
-    , editor_(editor)
+ResultsPanel::ResultsPanel(ShownSheet& sheet, const SheetRelations& relations, QWidget* parent)
+    : QTreeView(parent)
+    , results_(sheet)
     , relations_(relations) {
     setObjectName(QStringLiteral("results"));
     setFrameShape(QFrame::NoFrame);
-    setColumnCount(2);
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setAlternatingRowColors(true);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
+    setModel(&model_);
     header()->setStretchLastSection(true);
-    pending_.setSingleShot(true);
-    pending_.setInterval(0);
-    connect(&pending_, &QTimer::timeout, this, &ResultsPanel::showState);
-    const auto later = [this] {
-        if (!pending_.isActive())
-            pending_.start();
-    };
-    connect(&relations, &SheetRelations::changed, this, later);
-    connect(&editor.document(), &OpenDocument::replaced, this, later);
-    connect(&editor.document(), &OpenDocument::viewChanged, this, later);
-    connect(&editor.document(), &OpenDocument::curvesChanged, this, later);
-    connect(&editor, &SheetEditor::shownCurveChanged, this, [this](Serial serial) {
-        if (serial == editor_.activeSerial())
-            pending_.start();
-    });
+    header()->setResizeContentsPrecision(0); // as wide as what is seen needs: there may be very many rows
+    connect(&results_, &CurveResults::changed, this, &ResultsPanel::showState);
+    connect(&relations, &SheetRelations::changed, this, &ResultsPanel::showState);
     retranslateUi();
 }
 
 void ResultsPanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange)
         retranslateUi();
-    QTreeWidget::changeEvent(event);
+    QTreeView::changeEvent(event);
 }
 
 void ResultsPanel::retranslateUi() {
     setAccessibleName(tr("Results"));
-    setHeaderLabels({tr("Name"), tr("Value")});
-    showState();
+    model_.retranslate();
+    showColumns();
 }
 
 void ResultsPanel::showState() {
-    pending_.stop();
-    const Curve* curve = editor_.shown(editor_.activeSerial());
-    std::vector<Result> rows;
-    if (curve && isIncomplete(*curve))
-        rows.push_back({Caption::incomplete, {}, std::string()});
-    else if (curve)
-        rows = results(*curve);
+    std::vector<Result> rows = results_.results();
     const std::vector<Result>& ofSheet = relations_.relations().results;
     rows.insert(rows.end(), ofSheet.begin(), ofSheet.end());
-    while (topLevelItemCount() > static_cast<int>(rows.size()))
-        delete takeTopLevelItem(topLevelItemCount() - 1);
-    while (topLevelItemCount() < static_cast<int>(rows.size()))
-        addTopLevelItem(new QTreeWidgetItem);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        QTreeWidgetItem* item = topLevelItem(static_cast<int>(i));
-        item->setText(0, resultName(rows[i]));
-        item->setToolTip(0, resultName(rows[i]));
-        item->setText(1, resultValue(rows[i], kShownDigits));
-        item->setToolTip(1, resultValue(rows[i], kFullDigits));
-    }
+    model_.setResults(std::move(rows));
     showColumns();
 }
 
@@ -93,7 +57,7 @@ void ResultsPanel::showColumns() {
 }
 
 void ResultsPanel::resizeEvent(QResizeEvent* event) {
-    QTreeWidget::resizeEvent(event);
+    QTreeView::resizeEvent(event);
     showColumns();
 }
 
@@ -101,13 +65,16 @@ void ResultsPanel::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Copy))
         copy();
     else
-        QTreeWidget::keyPressEvent(event);
+        QTreeView::keyPressEvent(event);
 }
 
 void ResultsPanel::copy() const {
+    QModelIndexList rows = selectionModel()->selectedRows();
+    std::sort(rows.begin(), rows.end());
     QStringList lines;
-    for (const QTreeWidgetItem* item : selectedItems())
-        lines.append(item->text(0) + QLatin1Char('\t') + item->toolTip(1));
+    for (const QModelIndex& name : rows)
+        lines.append(name.data().toString() + QLatin1Char('\t') +
+                     name.siblingAtColumn(1).data(Qt::ToolTipRole).toString());
     QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
 }
 

@@ -1,22 +1,19 @@
 #pragma once
 
-#include "core/document/results.h"
+#include "ui/panels/results_model.h"
+#include "ui/sheets/results/curve_results.h"
 
-#include <QTimer>
-#include <QTreeWidget>
+#include <QTreeView>
 
 namespace kriva::ui {
 
-class SheetEditor;
 class SheetRelations;
 
 /// The numbers of the report for the curve on view and for the sheet, live.
-class ResultsPanel : public QTreeWidget {
+class ResultsPanel : public QTreeView {
     Q_OBJECT
   public:
-    ResultsPanel(SheetEditor& editor, const SheetRelations& relations, QWidget* parent = nullptr);
-    /// Computes and shows at once what otherwise waits for the event loop to turn.
-    void showState();
+    ResultsPanel(ShownSheet& sheet, const SheetRelations& relations, QWidget* parent = nullptr);
 
   protected:
     void changeEvent(QEvent* event) override;
@@ -25,12 +22,13 @@ class ResultsPanel : public QTreeWidget {
 
   private:
     void retranslateUi();
+    void showState();
     void showColumns();
     void copy() const;
 
-    SheetEditor& editor_;
+    CurveResults results_;
     const SheetRelations& relations_;
-    QTimer pending_; ///< many changes in one turn of the event loop are one
+    ResultsModel model_;
 };
 
 } // namespace kriva::ui

@@ -15,9 +15,12 @@ class ResultsPanelTest : public test::PanelTest {
     [[nodiscard]] Rows rows() {
         test::settle();
         Rows shown;
-        for (int row = 0; row < table.topLevelItemCount(); ++row)
-            shown.emplace_back(table.topLevelItem(row)->text(0), table.topLevelItem(row)->text(1));
+        for (int row = 0; row < table.model()->rowCount(); ++row)
+            shown.emplace_back(textAt(row, 0), textAt(row, 1));
         return shown;
+    }
+    [[nodiscard]] QString textAt(int row, int column) const {
+        return table.model()->index(row, column).data().toString();
     }
     Rows rowsOf(const Curve& curve) {
         Rows expected;

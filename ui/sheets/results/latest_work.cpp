@@ -1,0 +1,72 @@
+#include "ui/sheets/results/latest_work.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QPointer>
+#include <QThreadPool>
+
+#include <utility>
+
+namespace kriva::ui {
+namespace {
+
+constexpr qint64 kHalfFrame = 8; ///< milliseconds: the other half is for drawing
+
+} // namespace
+
+LatestWork::LatestWork(std::function<Work()> next, QObject* parent)
+    : QObject(parent)
+    , next_(std::move(next)) {
+    pending_.setSingleShot(true);
+    pending_.setInterval(0);
+    connect(&pending_, &QTimer::timeout, this, &LatestWork::doNow);
+    doSoon();
+}
+
+void LatestWork::doSoon() {
+    if (!pending_.isActive())
+        pending_.start();
+}
+
+void LatestWork::startOver() {
+    isQuick_ = false;
+    doSoon();
+}
+
+void LatestWork::doNow() {
+    isOutOfDate_ = isWorking_;
+    if (isWorking_)
+        return;
+    if (!isQuick_)
+        return doElsewhere(next_());
+    QElapsedTimer clock;
+    clock.start();
+    const Take take = next_()();
+    finish(take, clock.elapsed());
+}
+
+void LatestWork::doElsewhere(Work work) {
+    isWorking_ = true;
+    const auto task = [self = QPointer(this), work = std::move(work)] {
+        QElapsedTimer clock;
+        clock.start();
+        const auto deliver = [self, take = work(), took = clock.elapsed()] {
+            if (!self)
+                return;
+            self->isWorking_ = false;
+            if (self->isOutOfDate_ || self->pending_.isActive())
+                self->doSoon();
+            else
+                self->finish(take, took);
+        };
+        QMetaObject::invokeMethod(QCoreApplication::instance(), deliver);
+    };
+    QThreadPool::globalInstance()->start(task);
+}
+
+void LatestWork::finish(const Take& take, qint64 milliseconds) {
+    isQuick_ = milliseconds < kHalfFrame;
+    take();
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,27 @@
+#include "ui/sheets/results/sheet_relations.h"
+
+#include "ui/sheets/shown_sheet.h"
+
+namespace kriva::ui {
+
+SheetRelations::SheetRelations(ShownSheet& sheet, QObject* parent)
+    : QObject(parent)
+    , work_([this, &sheet]() -> LatestWork::Work {
+        return [this, onView = sheet.sheetOnView(), index = sheet.index()]() -> LatestWork::Take {
+            return [this, relations = relationsOf(onView, index)] { take(relations); };
+        };
+    }) {
+    connect(&sheet.document(), &OpenDocument::replaced, &work_, &LatestWork::startOver);
+    connect(&sheet.document(), &OpenDocument::curvesChanged, &work_, &LatestWork::doSoon);
+    connect(&sheet.document(), &OpenDocument::viewChanged, &work_, &LatestWork::doSoon);
+    connect(&sheet, &ShownSheet::shownCurveChanged, &work_, &LatestWork::doSoon);
+}
+
+void SheetRelations::take(Relations relations) {
+    if (relations.results.empty() && relations_.results.empty())
+        return;
+    relations_ = std::move(relations);
+    Q_EMIT changed();
+}
+
+} // namespace kriva::ui
