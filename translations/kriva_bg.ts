@@ -133,6 +133,13 @@
     </message>
 </context>
 <context>
+    <name>CanvasAccessible</name>
+    <message>
+        <source>Point %1</source>
+        <translation>Точка %1</translation>
+    </message>
+</context>
+<context>
     <name>Caption</name>
     <message>
         <source>Degree elevation</source>
@@ -426,6 +433,13 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>%1; kriva --help tells more</source>
         <translation>%1; повече казва kriva --help</translation>
+    </message>
+</context>
+<context>
+    <name>CurveName</name>
+    <message>
+        <source>Curve %1</source>
+        <translation>Крива %1</translation>
     </message>
 </context>
 <context>
@@ -1114,6 +1128,13 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>kriva::ui::CanvasView</name>
+    <message>
+        <source>Canvas</source>
+        <translation>Платно</translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::CombinedProperties</name>
     <message>
         <source>Back to automatic</source>
@@ -1122,13 +1143,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Puts the selected middle points, or all where none is selected, where the tangents meet</source>
         <translation>Поставя избраните междинни точки, или всички, ако няма избрани, където се срещат допирателните</translation>
-    </message>
-</context>
-<context>
-    <name>kriva::ui::CurvesModel</name>
-    <message>
-        <source>Curve %1</source>
-        <translation>Крива %1</translation>
     </message>
 </context>
 <context>
@@ -1241,6 +1255,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>&amp;Redo</source>
         <translation>&amp;Повтаряне</translation>
     </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Листове</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::NumberField</name>
@@ -1320,6 +1338,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Writes the stage on view into the document</source>
         <translation>Записва показания етап в документа</translation>
     </message>
+    <message>
+        <source>Animation</source>
+        <translation>Анимация</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::PointsPanel</name>
@@ -1340,11 +1362,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
-    <name>kriva::ui::ResultsPanel</name>
-    <message>
-        <source>Results</source>
-        <translation>Резултати</translation>
-    </message>
+    <name>kriva::ui::ResultsModel</name>
     <message>
         <source>Name</source>
         <translation>Име</translation>
@@ -1352,6 +1370,13 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Value</source>
         <translation>Стойност</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ResultsPanel</name>
+    <message>
+        <source>Results</source>
+        <translation>Резултати</translation>
     </message>
 </context>
 <context>

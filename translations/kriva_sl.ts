@@ -133,6 +133,13 @@
     </message>
 </context>
 <context>
+    <name>CanvasAccessible</name>
+    <message>
+        <source>Point %1</source>
+        <translation>Točka %1</translation>
+    </message>
+</context>
+<context>
     <name>Caption</name>
     <message>
         <source>Degree elevation</source>
@@ -426,6 +433,13 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>%1; kriva --help tells more</source>
         <translation>%1; več pove kriva --help</translation>
+    </message>
+</context>
+<context>
+    <name>CurveName</name>
+    <message>
+        <source>Curve %1</source>
+        <translation>Krivulja %1</translation>
     </message>
 </context>
 <context>
@@ -1116,6 +1130,13 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
 </context>
 <context>
+    <name>kriva::ui::CanvasView</name>
+    <message>
+        <source>Canvas</source>
+        <translation>Platno</translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::CombinedProperties</name>
     <message>
         <source>Back to automatic</source>
@@ -1124,13 +1145,6 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Puts the selected middle points, or all where none is selected, where the tangents meet</source>
         <translation>Postavi izbrane vmesne točke, ali vse, če ni izbrana nobena, kjer se sekata tangenti</translation>
-    </message>
-</context>
-<context>
-    <name>kriva::ui::CurvesModel</name>
-    <message>
-        <source>Curve %1</source>
-        <translation>Krivulja %1</translation>
     </message>
 </context>
 <context>
@@ -1243,6 +1257,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>&amp;Redo</source>
         <translation>&amp;Znova uveljavi</translation>
     </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Listi</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::NumberField</name>
@@ -1322,6 +1340,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>Writes the stage on view into the document</source>
         <translation>Zapiše prikazano stopnjo v dokument</translation>
     </message>
+    <message>
+        <source>Animation</source>
+        <translation>Animacija</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::PointsPanel</name>
@@ -1342,11 +1364,7 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
 </context>
 <context>
-    <name>kriva::ui::ResultsPanel</name>
-    <message>
-        <source>Results</source>
-        <translation>Rezultati</translation>
-    </message>
+    <name>kriva::ui::ResultsModel</name>
     <message>
         <source>Name</source>
         <translation>Ime</translation>
@@ -1354,6 +1372,13 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Value</source>
         <translation>Vrednost</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ResultsPanel</name>
+    <message>
+        <source>Results</source>
+        <translation>Rezultati</translation>
     </message>
 </context>
 <context>

@@ -133,6 +133,13 @@
     </message>
 </context>
 <context>
+    <name>CanvasAccessible</name>
+    <message>
+        <source>Point %1</source>
+        <translation>Точка %1</translation>
+    </message>
+</context>
+<context>
     <name>Caption</name>
     <message>
         <source>Degree elevation</source>
@@ -426,6 +433,13 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>%1; kriva --help tells more</source>
         <translation>%1; докладніше: kriva --help</translation>
+    </message>
+</context>
+<context>
+    <name>CurveName</name>
+    <message>
+        <source>Curve %1</source>
+        <translation>Крива %1</translation>
     </message>
 </context>
 <context>
@@ -1115,6 +1129,13 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>kriva::ui::CanvasView</name>
+    <message>
+        <source>Canvas</source>
+        <translation>Полотно</translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::CombinedProperties</name>
     <message>
         <source>Back to automatic</source>
@@ -1123,13 +1144,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Puts the selected middle points, or all where none is selected, where the tangents meet</source>
         <translation>Ставить вибрані проміжні точки, або всі, якщо не вибрано жодної, туди, де перетинаються дотичні</translation>
-    </message>
-</context>
-<context>
-    <name>kriva::ui::CurvesModel</name>
-    <message>
-        <source>Curve %1</source>
-        <translation>Крива %1</translation>
     </message>
 </context>
 <context>
@@ -1242,6 +1256,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>&amp;Redo</source>
         <translation>&amp;Повторити</translation>
     </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Аркуші</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::NumberField</name>
@@ -1321,6 +1339,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Writes the stage on view into the document</source>
         <translation>Записує показаний етап у документ</translation>
     </message>
+    <message>
+        <source>Animation</source>
+        <translation>Анімація</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::PointsPanel</name>
@@ -1341,11 +1363,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
-    <name>kriva::ui::ResultsPanel</name>
-    <message>
-        <source>Results</source>
-        <translation>Результати</translation>
-    </message>
+    <name>kriva::ui::ResultsModel</name>
     <message>
         <source>Name</source>
         <translation>Назва</translation>
@@ -1353,6 +1371,13 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Value</source>
         <translation>Значення</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ResultsPanel</name>
+    <message>
+        <source>Results</source>
+        <translation>Результати</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "ui/canvas/canvas_view.h"
 
+#include "ui/canvas/canvas_accessible.h"
 #include "ui/figures/caption_text.h"
 
 #include <QContextMenuEvent>
@@ -33,7 +34,20 @@ CanvasView::CanvasView(CanvasClient& client, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     viewport()->setMouseTracking(true);
     scene_.setColorsAndFont(palette(), font());
+    makeAccessible();
     retranslateUi();
+}
+
+void CanvasView::setSelection(Selection selection) {
+    const bool isOne = selection.size() == 1 && selection != scene_.selection();
+    scene_.setSelection(std::move(selection));
+    if (isOne)
+        announcePoint(*this, *scene_.selection().begin());
+}
+
+void CanvasView::choose(const GripRef& grip) {
+    client_.select({grip});
+    reveal(grip);
 }
 
 void CanvasView::setTool(Tool tool) {
@@ -45,6 +59,7 @@ void CanvasView::setTool(Tool tool) {
 }
 
 void CanvasView::retranslateUi() {
+    setAccessibleName(tr("Canvas"));
     scene_.setTexts(textSource());
 }
 
@@ -71,7 +86,7 @@ void CanvasView::setUnitScale(double pixelsPerUnit) {
 }
 
 void CanvasView::fitAll() {
-    setMapping(fitted(mapping(), scene_.box(), kMargin));
+    setMapping(fitted(mapping(), scene_.curves().box(), kMargin));
     isFitDue_ = true;
 }
 
@@ -83,7 +98,7 @@ void CanvasView::fitSelection() {
 }
 
 void CanvasView::reveal(const GripRef& grip) {
-    if (const auto place = scene_.placeOf(grip))
+    if (const auto place = scene_.curves().placeOf(grip))
         setMapping(revealing(mapping(), *place, kMargin));
 }
 
@@ -154,7 +169,7 @@ void CanvasView::contextMenuEvent(QContextMenuEvent* event) {
     // The right button asks by itself, when it is released without a drag.
     if (event->reason() == QContextMenuEvent::Mouse)
         return;
-    const Points places = scene_.selectedPlaces();
+    const Points& places = scene_.selectedPlaces();
     requestContextMenu(places.empty() ? scene_.sceneRect().center() : mapping().toPixels(places.front()));
 }
 

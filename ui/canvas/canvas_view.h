@@ -21,7 +21,7 @@ class CanvasView : public QGraphicsView {
     void setCurves(std::vector<CanvasCurve> curves) { scene_.setCurves(std::move(curves)); }
     /// One curve in place; the others are not touched.
     void updateCurve(CanvasCurve curve) { scene_.updateCurve(std::move(curve)); }
-    void setSelection(Selection selection) { scene_.setSelection(std::move(selection)); }
+    void setSelection(Selection selection);
     [[nodiscard]] const Selection& selection() const { return scene_.selection(); }
 
     void setTool(Tool tool);
@@ -51,7 +51,10 @@ class CanvasView : public QGraphicsView {
 
     [[nodiscard]] Hit hitAt(QPointF pixel) { return scene_.hitAt(pixel); }
     [[nodiscard]] Selection pointsIn(const QRectF& pixels) const { return scene_.pointsIn(pixels); }
-    [[nodiscard]] std::vector<GripRef> points() const { return scene_.points(); }
+    [[nodiscard]] std::vector<GripRef> points() const { return curves().points(); }
+    [[nodiscard]] const CanvasCurves& curves() const { return scene_.curves(); }
+    /// Selects this one alone and shows it: what a screen reader chooses.
+    void choose(const GripRef& grip);
     void hover(QPointF pixel, Qt::KeyboardModifiers modifiers);
     /// Scrolls just so far that the grip is seen.
     void reveal(const GripRef& grip);

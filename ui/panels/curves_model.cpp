@@ -1,6 +1,7 @@
 #include "ui/panels/curves_model.h"
 
 #include "core/figure/role_style.h"
+#include "ui/sheets/curve_name.h"
 #include "ui/sheets/sheet_editor.h"
 
 #include <QColor>
@@ -49,7 +50,7 @@ QVariant CurvesModel::data(const QModelIndex& index, int role) const {
     const Curve& curve = editor_.sheet().curves[static_cast<std::size_t>(index.row())];
     switch (role) {
     case Qt::DisplayRole:
-        return nameOf(curve).empty() ? tr("Curve %1").arg(index.row() + 1) : QString::fromStdString(nameOf(curve));
+        return curveName(curve, index.row());
     case Qt::EditRole:
         return QString::fromStdString(nameOf(curve));
     case Qt::DecorationRole:

@@ -17,6 +17,7 @@ PropertiesArea::PropertiesArea(QWidget* parent)
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFocusPolicy(Qt::NoFocus); // it scrolls to the field that has the focus
 }
 
 QSize PropertiesArea::sizeHint() const {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ui/sheets/results/sheet_relations.h"
 #include "ui/sheets/sheet_editor.h"
-#include "ui/sheets/sheet_relations.h"
 #include "ui/sheets/sheet_ui.h"
 
 #include <QDockWidget>

@@ -1,6 +1,7 @@
 #include "ui/sheets/sheet_tab.h"
 
 #include "core/figure/page.h"
+#include "ui/sheets/curve_name.h"
 #include "ui/sheets/hint_text.h"
 
 #include <QEvent>
@@ -66,8 +67,9 @@ CanvasCurve SheetTab::canvasCurve(Serial serial) const {
     CanvasCurve shown;
     shown.serial = serial;
     shown.isActive = isActive;
+    const int index = *editor_.document().indexOf(sheet, serial);
+    shown.name = curveName(curve, index);
     if (viewOf(curve).isShown) {
-        const int index = *editor_.document().indexOf(sheet, serial);
         const FigureContext context{index, isActive};
         shown.figure = shownLayers(figureOf(curve, context), layersOf(sheet), view, context);
         shown.grips = grips(curve);

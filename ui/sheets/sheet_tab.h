@@ -2,10 +2,10 @@
 
 #include "ui/canvas/canvas_client.h"
 #include "ui/canvas/canvas_view.h"
+#include "ui/sheets/results/sheet_relations.h"
 #include "ui/sheets/sheet_drag.h"
 #include "ui/sheets/sheet_editor.h"
 #include "ui/sheets/sheet_panels.h"
-#include "ui/sheets/sheet_relations.h"
 
 namespace kriva::ui {
 

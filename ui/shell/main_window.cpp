@@ -168,6 +168,7 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::retranslateUi() {
+    tabWidget_->setAccessibleName(tr("Sheets"));
     for (std::size_t i = 0; i < tabs_.size(); ++i)
         tabWidget_->setTabText(static_cast<int>(i),
                                QCoreApplication::translate("Sheet", surroundings_.sheets[i].title));

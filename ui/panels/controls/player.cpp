@@ -180,6 +180,7 @@ void Player::retranslateUi() {
         direction_->setIcon(icon(IconName::DirectionBoth));
         break;
     }
+    setAccessibleName(tr("Animation"));
     speed_->setAccessibleName(tr("Animation speed"));
     scrubber_->setAccessibleName(tr("Stage"));
     keep_->setText(tr("Keep this stage"));
