@@ -15,12 +15,12 @@ void moveHomeTo(const QByteArray& folder) {
 
 } // namespace
 
-// Widgets look the same on every machine: no display, one style, one font, one scale.
+// Widgets look the same on every machine: one style, one font, one scale; no display but for tests of the display.
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     const QTemporaryDir home;
     moveHomeTo(home.path().toUtf8());
-    qputenv("QT_QPA_PLATFORM", "offscreen");
+    qputenv("QT_QPA_PLATFORM", qEnvironmentVariable("KRIVA_TEST_PLATFORM", QStringLiteral("offscreen")).toLatin1());
     qputenv("QT_SCALE_FACTOR", "1");
     QApplication application(argc, argv);
     QApplication::setStyle(QStringLiteral("Fusion"));
