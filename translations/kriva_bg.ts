@@ -131,6 +131,10 @@
         <source>About &amp;Qt</source>
         <translation>Относно &amp;Qt</translation>
     </message>
+    <message>
+        <source>S&amp;how the history</source>
+        <translation>Показване на ис&amp;торията</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>

@@ -131,6 +131,10 @@
         <source>About &amp;Qt</source>
         <translation>O knjižnici &amp;Qt</translation>
     </message>
+    <message>
+        <source>S&amp;how the history</source>
+        <translation>Pokaži z&amp;godovino</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>

@@ -131,6 +131,10 @@
         <source>About &amp;Qt</source>
         <translation>Про &amp;Qt</translation>
     </message>
+    <message>
+        <source>S&amp;how the history</source>
+        <translation>Показати &amp;історію</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>

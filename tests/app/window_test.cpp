@@ -327,5 +327,16 @@ TEST(Window, playsThroughStagesWithoutTouchingTheDocument) {
     EXPECT_EQ(std::get<ElevationCurve>(*tab.editor().activeCurve()).times, 25);
 }
 
+TEST(Window, bringsTheHistoryToTheFront) {
+    TestWindow window;
+    SheetTab& tab = window.shown(1);
+    auto* history = tab.findChild<QDockWidget*>(QStringLiteral("history"));
+    ASSERT_TRUE(history->visibleRegion().isEmpty()); // behind the results
+    QTest::keyClick(&window.window, Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
+    QApplication::processEvents();
+    EXPECT_FALSE(history->visibleRegion().isEmpty());
+    EXPECT_TRUE(history->widget()->hasFocus());
+}
+
 } // namespace
 } // namespace kriva::ui

@@ -82,6 +82,17 @@ void SheetPanels::reset() {
     setLayout(firstLayout_);
 }
 
+void SheetPanels::show(const char* name) {
+    make();
+    for (const Panel& panel : panels_) {
+        if (panel.dock->objectName() != QLatin1String(name))
+            continue;
+        panel.dock->show();
+        panel.dock->raise();
+        panel.dock->widget()->setFocus();
+    }
+}
+
 void SheetPanels::retranslateUi() {
     for (const Panel& panel : panels_)
         panel.dock->setWindowTitle(QCoreApplication::translate("SheetPanels", panel.title));

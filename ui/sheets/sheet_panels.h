@@ -24,6 +24,8 @@ class SheetPanels {
     /// Where it is no layout, the panels stay where they are.
     void setLayout(const QByteArray& layout);
     void reset();
+    /// Brings a panel to the front and gives it the focus; `name` is that of its dock.
+    void show(const char* name);
     void retranslateUi();
 
   private:

@@ -52,6 +52,8 @@ Actions::Actions(QWidget* window)
     grid = makeToggle("grid", QT_TRANSLATE_NOOP("Actions", "&Grid"), {}, IconName::Grid);
     axes = makeToggle("axes", QT_TRANSLATE_NOOP("Actions", "A&xes"));
     resetPanels = make("resetPanels", QT_TRANSLATE_NOOP("Actions", "&Reset panels"));
+    showHistory = make("showHistory", QT_TRANSLATE_NOOP("Actions", "S&how the history"),
+                       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H));
     fullScreen = makeToggle("fullScreen", QT_TRANSLATE_NOOP("Actions", "F&ull screen"), QKeySequence(Qt::Key_F11));
 
     about = make("about", QT_TRANSLATE_NOOP("Actions", "&About Kriva"));

@@ -50,6 +50,7 @@ class Actions : public QObject {
     QAction* grid;
     QAction* axes;
     QAction* resetPanels;
+    QAction* showHistory;
     QAction* fullScreen;
     // Help
     QAction* about;

@@ -158,6 +158,7 @@ void MainWindow::connectViewActions() {
     connect(actions_->grid, &QAction::triggered, this, [this](bool on) { currentTab().canvas().setGridShown(on); });
     connect(actions_->axes, &QAction::triggered, this, [this](bool on) { currentTab().canvas().setAxesShown(on); });
     connect(actions_->resetPanels, &QAction::triggered, this, [this] { currentTab().panels().reset(); });
+    connect(actions_->showHistory, &QAction::triggered, this, [this] { currentTab().panels().show("history"); });
     connect(actions_->fullScreen, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
 }
 

@@ -73,6 +73,7 @@ void Menus::fillView(const Actions& actions) {
     view->addSeparator();
     panels_ = add(view, QT_TRANSLATE_NOOP("Menus", "&Panels"));
     resetPanels_ = actions.resetPanels;
+    view->addAction(actions.showHistory);
     view->addSeparator();
     view->addAction(actions.fullScreen);
 }

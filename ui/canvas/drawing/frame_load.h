@@ -39,9 +39,9 @@ struct FrameLoad {
     [[nodiscard]] double part() const { return std::max({points / kPoints, ink / kInk, marks / kMarks}); }
     [[nodiscard]] bool isTooMuch() const { return points > kPoints || ink > kInk || marks > kMarks; }
 
-    static constexpr double kPoints = 12'000;
+    static constexpr double kPoints = 8'000;
     static constexpr double kInk = 1'500'000;
-    static constexpr double kMarks = 10'000;
+    static constexpr double kMarks = 6'000;
 };
 
 /// Less of what is too much, by `factor`; the same where nothing is left to leave out.
