@@ -67,6 +67,11 @@ void CanvasScene::setRubberBand(std::optional<QRectF> band) {
     update();
 }
 
+void CanvasScene::setSnap(std::optional<Snap> snap) {
+    if (std::exchange(snap_, snap) != snap)
+        update();
+}
+
 void CanvasScene::setMapping(const Viewport& mapping) {
     sight_.viewport = mapping;
     setSceneRect(sight_.rectangle());
@@ -103,7 +108,8 @@ void CanvasScene::setGridShown(bool isShown) {
 
 void CanvasScene::setAxesShown(bool areShown) {
     grid_.hasAxes = areShown;
-    update();
+    sight_.hasAxes = areShown;
+    invalidate();
 }
 
 void CanvasScene::invalidate() {
@@ -162,6 +168,13 @@ Selection CanvasScene::pointsIn(const QRectF& pixels) const {
     return kriva::ui::pointsIn(pixels, targets(), sight_.viewport);
 }
 
+std::optional<Snap> CanvasScene::snapOf(const SnappingPlace& place) const {
+    std::vector<SnapTarget> snapTargets;
+    for (const Entry& entry : entries_)
+        snapTargets.push_back({entry.serial, entry.grips, &entry.item->figure()});
+    return kriva::ui::snapOf(place, snapTargets, sight_.viewport, grid_.hasGrid);
+}
+
 std::vector<GripRef> CanvasScene::points() const {
     std::vector<GripRef> found;
     for (const Entry& entry : entries_)
@@ -206,6 +219,8 @@ void CanvasScene::drawBackground(QPainter* painter, const QRectF& rectangle) {
 void CanvasScene::drawForeground(QPainter* painter, const QRectF&) {
     for (const Stamps& stamps : highlights_)
         paint(*painter, stamps, sight_.devicePixelRatio);
+    if (snap_)
+        paintSnap(*painter, *snap_, colors_, sight_.viewport);
     if (band_)
         paintRubberBand(*painter, *band_, colors_);
 }

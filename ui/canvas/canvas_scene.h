@@ -4,6 +4,7 @@
 #include "ui/canvas/drawing/highlights.h"
 #include "ui/canvas/figure_item.h"
 #include "ui/canvas/hit_test.h"
+#include "ui/canvas/snapping.h"
 
 #include <QGraphicsScene>
 
@@ -32,6 +33,8 @@ class CanvasScene : public QGraphicsScene {
     [[nodiscard]] const Selection& selection() const { return selection_; }
     void setHovered(std::optional<GripRef> grip);
     void setRubberBand(std::optional<QRectF> band);
+    /// What the dragged point snapped to, shown by a mark.
+    void setSnap(std::optional<Snap> snap);
 
     void setMapping(const Viewport& mapping);
     [[nodiscard]] const Viewport& mapping() const { return sight_.viewport; }
@@ -49,6 +52,8 @@ class CanvasScene : public QGraphicsScene {
 
     [[nodiscard]] Hit hitAt(QPointF pixel);
     [[nodiscard]] Selection pointsIn(const QRectF& pixels) const;
+    /// To what a place snaps among the curves that are shown and, where it is, the grid.
+    [[nodiscard]] std::optional<Snap> snapOf(const SnappingPlace& place) const;
     /// All points that can be taken hold of, by curve and index.
     [[nodiscard]] std::vector<GripRef> points() const;
     [[nodiscard]] std::optional<Point> placeOf(const GripRef& grip) const;
@@ -79,6 +84,7 @@ class CanvasScene : public QGraphicsScene {
     Selection selection_;
     std::optional<GripRef> hovered_;
     std::optional<QRectF> band_;
+    std::optional<Snap> snap_;
     Sight sight_;
     GridLook grid_;
     HighlightColors colors_;

@@ -51,6 +51,13 @@ void paintPolyline(QPainter& painter, const QPolygonF& polyline) {
     return {pixel.x(), -pixel.y()};
 }
 
+[[nodiscard]] Layer axesOfView(const Viewport& viewport) {
+    const Point origin = onPageOfView(viewport.toPixels({}));
+    const Points across{{0, origin.y}, {viewport.size.width(), origin.y}};
+    const Points upwards{{origin.x, -viewport.size.height()}, {origin.x, 0}};
+    return {"axes", {{polyline(across), Role::construction}, {polyline(upwards), Role::construction}}};
+}
+
 } // namespace
 
 void FigureItem::prepare(const Sight& sight) {
@@ -69,7 +76,7 @@ void FigureItem::prepare(const Sight& sight) {
         for (const Stroke& stroke : layer.strokes)
             prepareStroke(stroke, sight, prepared);
         for (const Marks& marks : layer.marks) {
-            const RoleStyle style = styleOf(marks.role, marks.series, sight.theme);
+            const RoleStyle style = styleOf(marks, sight.theme);
             if (style.marker != Marker::none)
                 prepared.marks.push_back(
                     stampsAt(marks.at, markPicture(style, devicePixelRatio_), sight.viewport, devicePixelRatio_));
@@ -90,7 +97,9 @@ void FigureItem::prepareStroke(const Stroke& stroke, const Sight& sight, Prepare
 }
 
 void FigureItem::prepareLabels(const Sight& sight) {
-    const Figure seen = seenFigure(seenLabels(sight.viewport));
+    Figure seen = seenFigure(seenLabels(sight.viewport));
+    if (sight.hasAxes) // in the way of labels, though drawn elsewhere
+        seen.layers.push_back(axesOfView(sight.viewport));
     const auto placed = placedLabels(seen, pageOfView(sight.viewport.size), sight.texts);
     for (std::size_t i = 0; i < layers_.size(); ++i)
         layers_[i].labels = placed[i];

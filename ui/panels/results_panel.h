@@ -19,6 +19,7 @@ class ResultsPanel : public QTreeWidget {
     void showState();
 
   protected:
+    bool event(QEvent* event) override;
     void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;

@@ -82,6 +82,14 @@ void SheetPanels::reset() {
     setLayout(firstLayout_);
 }
 
+void SheetPanels::beginRenaming() {
+    make();
+    QDockWidget* dock = panels_.front().dock;
+    dock->show();
+    dock->raise();
+    static_cast<CurvesPanel*>(dock->widget())->beginRenaming();
+}
+
 void SheetPanels::retranslateUi() {
     for (const Panel& panel : panels_)
         panel.dock->setWindowTitle(QCoreApplication::translate("SheetPanels", panel.title));

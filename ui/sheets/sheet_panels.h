@@ -24,6 +24,8 @@ class SheetPanels {
     /// Where it is no layout, the panels stay where they are.
     void setLayout(const QByteArray& layout);
     void reset();
+    /// Lets the name of the active curve be typed in the panel of curves, which comes into sight.
+    void beginRenaming();
     void retranslateUi();
 
   private:

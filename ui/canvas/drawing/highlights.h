@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/canvas/drawing/stamps.h"
+#include "ui/canvas/snapping.h"
 
 #include <QColor>
 
@@ -17,6 +18,10 @@ struct HighlightColors {
 [[nodiscard]] std::vector<Stamps> highlights(std::span<const Point> selected, std::optional<Point> hovered,
                                              const HighlightColors& colors, const Viewport& viewport,
                                              double devicePixelRatio);
+
+/// A small mark around the place that a dragged point snapped to: a square on a point, a cross over a curve, a plus on
+/// the grid.
+void paintSnap(QPainter& painter, const Snap& snap, const HighlightColors& colors, const Viewport& viewport);
 
 /// The rectangle in which points are being selected, in pixels.
 void paintRubberBand(QPainter& painter, const QRectF& band, const HighlightColors& colors);
