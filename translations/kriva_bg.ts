@@ -135,6 +135,46 @@
         <source>S&amp;how the history</source>
         <translation>Показване на ис&amp;торията</translation>
     </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>И&amp;зрязване</translation>
+    </message>
+    <message>
+        <source>Co&amp;py</source>
+        <translation>&amp;Копиране</translation>
+    </message>
+    <message>
+        <source>Pa&amp;ste</source>
+        <translation>Пост&amp;авяне</translation>
+    </message>
+    <message>
+        <source>Duplicat&amp;e</source>
+        <translation>&amp;Дублиране</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me</source>
+        <translation>&amp;Преименуване</translation>
+    </message>
+    <message>
+        <source>Move &amp;up in the list</source>
+        <translation>Преместване на&amp;горе в списъка</translation>
+    </message>
+    <message>
+        <source>Move do&amp;wn in the list</source>
+        <translation>Преместване надо&amp;лу в списъка</translation>
+    </message>
+    <message>
+        <source>&amp;Show the curve</source>
+        <translation>Пока&amp;зване на кривата</translation>
+    </message>
+    <message>
+        <source>Ru&amp;lers</source>
+        <translation>&amp;Линийки</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Прил&amp;епване</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -348,6 +388,13 @@
     <message>
         <source>Overlaps of the sheet</source>
         <translation>Припокривания в листа</translation>
+    </message>
+</context>
+<context>
+    <name>Clip</name>
+    <message>
+        <source>The clipboard: %1</source>
+        <translation>Буферът за обмен: %1</translation>
     </message>
 </context>
 <context>
@@ -618,10 +665,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
 <context>
     <name>Hint</name>
     <message>
-        <source>The clipboard holds no table of two numbers in each line</source>
-        <translation>В клипборда няма таблица с две числа на всеки ред</translation>
-    </message>
-    <message>
         <source>Drag: move the handle</source>
         <translation>Влачене: премества манипулатора</translation>
     </message>
@@ -767,6 +810,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Tool bar</source>
         <translation>Лента с инструменти</translation>
+    </message>
+    <message>
+        <source>Use these &amp;points in</source>
+        <translation>Използване на тези &amp;точки в раздел</translation>
     </message>
 </context>
 <context>
@@ -988,10 +1035,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Добавяне на точка</translation>
     </message>
     <message>
-        <source>Add points</source>
-        <translation>Добавяне на точки</translation>
-    </message>
-    <message>
         <source>Insert a point</source>
         <translation>Вмъкване на точка</translation>
     </message>
@@ -1111,6 +1154,116 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Set the blossom</source>
         <translation>Задаване на полярната форма</translation>
     </message>
+    <message>
+        <source>Cut the curve</source>
+        <translation>Изрязване на кривата</translation>
+    </message>
+    <message>
+        <source>Cut points</source>
+        <translation>Изрязване на точки</translation>
+    </message>
+    <message>
+        <source>Paste points</source>
+        <translation>Поставяне на точки</translation>
+    </message>
+    <message>
+        <source>Paste the curve</source>
+        <translation>Поставяне на крива</translation>
+    </message>
+    <message>
+        <source>Duplicate points</source>
+        <translation>Дублиране на точки</translation>
+    </message>
+    <message>
+        <source>Set the width of the line</source>
+        <translation>Задаване на дебелината на линията</translation>
+    </message>
+    <message>
+        <source>Set the dashes of the line</source>
+        <translation>Задаване на вида на линията</translation>
+    </message>
+    <message>
+        <source>Set the marks of the points</source>
+        <translation>Задаване на знаците на точките</translation>
+    </message>
+    <message>
+        <source>Show the labels</source>
+        <translation>Показване на означенията</translation>
+    </message>
+    <message>
+        <source>Hide the labels</source>
+        <translation>Скриване на означенията</translation>
+    </message>
+    <message>
+        <source>Reset the style</source>
+        <translation>Връщане на обичайния стил</translation>
+    </message>
+    <message>
+        <source>Use the points of a tab</source>
+        <translation>Използване на точките от друг раздел</translation>
+    </message>
+</context>
+<context>
+    <name>StyleEditor</name>
+    <message>
+        <source>Solid</source>
+        <translation>Плътна</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>С тирета</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>С точки</translation>
+    </message>
+    <message>
+        <source>Dash-dot</source>
+        <translation>Тире и точка</translation>
+    </message>
+    <message>
+        <source>As usual</source>
+        <translation>Както обикновено</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Няма</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Кръгчета</translation>
+    </message>
+    <message>
+        <source>Squares</source>
+        <translation>Квадратчета</translation>
+    </message>
+    <message>
+        <source>Diamonds</source>
+        <translation>Ромбчета</translation>
+    </message>
+</context>
+<context>
+    <name>TableErrors</name>
+    <message>
+        <source>The clipboard holds no points</source>
+        <translation>В буфера за обмен няма точки</translation>
+    </message>
+    <message>
+        <source>The clipboard: more than %1 points are too many for a curve</source>
+        <translation>Буферът за обмен: повече от %1 точки са твърде много за една крива</translation>
+    </message>
+    <message>
+        <source>The clipboard, line %1: expected two numbers</source>
+        <translation>Буферът за обмен, ред %1: очакват се две числа</translation>
+    </message>
+    <message>
+        <source>The clipboard, line %1: “%2” is no number</source>
+        <translation>Буферът за обмен, ред %1: „%2“ не е число</translation>
+    </message>
+    <message>
+        <source>The clipboard, line %1: “%2” is not from %3 to %4</source>
+        <translation>Буферът за обмен, ред %1: „%2“ не е от %3 до %4</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::AboutDialog</name>
@@ -1178,6 +1331,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Curves</source>
         <translation>Криви</translation>
+    </message>
+    <message>
+        <source>Style of the curve</source>
+        <translation>Стил на кривата</translation>
     </message>
 </context>
 <context>
@@ -1417,6 +1574,29 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Zoom</source>
         <translation>Мащаб</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::StyleEditor</name>
+    <message>
+        <source>Width of the line</source>
+        <translation>Дебелина на линията</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Линия</translation>
+    </message>
+    <message>
+        <source>Marks of the points</source>
+        <translation>Знаци на точките</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Означения</translation>
+    </message>
+    <message>
+        <source>Usual style</source>
+        <translation>Обичаен стил</translation>
     </message>
 </context>
 <context>

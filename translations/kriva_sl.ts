@@ -135,6 +135,46 @@
         <source>S&amp;how the history</source>
         <translation>Pokaži z&amp;godovino</translation>
     </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Izreži</translation>
+    </message>
+    <message>
+        <source>Co&amp;py</source>
+        <translation>&amp;Kopiraj</translation>
+    </message>
+    <message>
+        <source>Pa&amp;ste</source>
+        <translation>Pri&amp;lepi</translation>
+    </message>
+    <message>
+        <source>Duplicat&amp;e</source>
+        <translation>Po&amp;dvoji</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me</source>
+        <translation>Prei&amp;menuj</translation>
+    </message>
+    <message>
+        <source>Move &amp;up in the list</source>
+        <translation>Premakni na&amp;vzgor po seznamu</translation>
+    </message>
+    <message>
+        <source>Move do&amp;wn in the list</source>
+        <translation>Premakni navz&amp;dol po seznamu</translation>
+    </message>
+    <message>
+        <source>&amp;Show the curve</source>
+        <translation>Po&amp;kaži krivuljo</translation>
+    </message>
+    <message>
+        <source>Ru&amp;lers</source>
+        <translation>Ravni&amp;la</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Pripe&amp;njanje</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -348,6 +388,13 @@
     <message>
         <source>Overlaps of the sheet</source>
         <translation>Prekrivanja na listu</translation>
+    </message>
+</context>
+<context>
+    <name>Clip</name>
+    <message>
+        <source>The clipboard: %1</source>
+        <translation>Odložišče: %1</translation>
     </message>
 </context>
 <context>
@@ -620,10 +667,6 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
 <context>
     <name>Hint</name>
     <message>
-        <source>The clipboard holds no table of two numbers in each line</source>
-        <translation>Na odložišču ni preglednice z dvema številoma v vsaki vrstici</translation>
-    </message>
-    <message>
         <source>Drag: move the handle</source>
         <translation>Vlečenje: premakne ročico</translation>
     </message>
@@ -769,6 +812,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Tool bar</source>
         <translation>Orodna vrstica</translation>
+    </message>
+    <message>
+        <source>Use these &amp;points in</source>
+        <translation>Uporabi te &amp;točke v zavihku</translation>
     </message>
 </context>
 <context>
@@ -990,10 +1037,6 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <translation>Dodajanje točke</translation>
     </message>
     <message>
-        <source>Add points</source>
-        <translation>Dodajanje točk</translation>
-    </message>
-    <message>
         <source>Insert a point</source>
         <translation>Vstavljanje točke</translation>
     </message>
@@ -1113,6 +1156,116 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>Set the blossom</source>
         <translation>Nastavitev polarne forme</translation>
     </message>
+    <message>
+        <source>Cut the curve</source>
+        <translation>Izrez krivulje</translation>
+    </message>
+    <message>
+        <source>Cut points</source>
+        <translation>Izrez točk</translation>
+    </message>
+    <message>
+        <source>Paste points</source>
+        <translation>Lepljenje točk</translation>
+    </message>
+    <message>
+        <source>Paste the curve</source>
+        <translation>Lepljenje krivulje</translation>
+    </message>
+    <message>
+        <source>Duplicate points</source>
+        <translation>Podvojitev točk</translation>
+    </message>
+    <message>
+        <source>Set the width of the line</source>
+        <translation>Nastavitev debeline črte</translation>
+    </message>
+    <message>
+        <source>Set the dashes of the line</source>
+        <translation>Nastavitev vrste črte</translation>
+    </message>
+    <message>
+        <source>Set the marks of the points</source>
+        <translation>Nastavitev znakov točk</translation>
+    </message>
+    <message>
+        <source>Show the labels</source>
+        <translation>Prikaz oznak</translation>
+    </message>
+    <message>
+        <source>Hide the labels</source>
+        <translation>Skritje oznak</translation>
+    </message>
+    <message>
+        <source>Reset the style</source>
+        <translation>Ponastavitev sloga</translation>
+    </message>
+    <message>
+        <source>Use the points of a tab</source>
+        <translation>Uporaba točk z drugega zavihka</translation>
+    </message>
+</context>
+<context>
+    <name>StyleEditor</name>
+    <message>
+        <source>Solid</source>
+        <translation>Polna</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Črtkana</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Pikčasta</translation>
+    </message>
+    <message>
+        <source>Dash-dot</source>
+        <translation>Črta-pika</translation>
+    </message>
+    <message>
+        <source>As usual</source>
+        <translation>Kot običajno</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Brez</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Krogci</translation>
+    </message>
+    <message>
+        <source>Squares</source>
+        <translation>Kvadratki</translation>
+    </message>
+    <message>
+        <source>Diamonds</source>
+        <translation>Rombi</translation>
+    </message>
+</context>
+<context>
+    <name>TableErrors</name>
+    <message>
+        <source>The clipboard holds no points</source>
+        <translation>V odložišču ni točk</translation>
+    </message>
+    <message>
+        <source>The clipboard: more than %1 points are too many for a curve</source>
+        <translation>Odložišče: več kot %1 točk je preveč za eno krivuljo</translation>
+    </message>
+    <message>
+        <source>The clipboard, line %1: expected two numbers</source>
+        <translation>Odložišče, vrstica %1: pričakovani sta dve števili</translation>
+    </message>
+    <message>
+        <source>The clipboard, line %1: “%2” is no number</source>
+        <translation>Odložišče, vrstica %1: »%2« ni število</translation>
+    </message>
+    <message>
+        <source>The clipboard, line %1: “%2” is not from %3 to %4</source>
+        <translation>Odložišče, vrstica %1: »%2« ni med %3 in %4</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::AboutDialog</name>
@@ -1180,6 +1333,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Curves</source>
         <translation>Krivulje</translation>
+    </message>
+    <message>
+        <source>Style of the curve</source>
+        <translation>Slog krivulje</translation>
     </message>
 </context>
 <context>
@@ -1419,6 +1576,29 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Zoom</source>
         <translation>Merilo</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::StyleEditor</name>
+    <message>
+        <source>Width of the line</source>
+        <translation>Debelina črte</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Črta</translation>
+    </message>
+    <message>
+        <source>Marks of the points</source>
+        <translation>Znaki točk</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Oznake</translation>
+    </message>
+    <message>
+        <source>Usual style</source>
+        <translation>Običajen slog</translation>
     </message>
 </context>
 <context>

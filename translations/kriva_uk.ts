@@ -135,6 +135,46 @@
         <source>S&amp;how the history</source>
         <translation>Показати &amp;історію</translation>
     </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Вирі&amp;зати</translation>
+    </message>
+    <message>
+        <source>Co&amp;py</source>
+        <translation>&amp;Копіювати</translation>
+    </message>
+    <message>
+        <source>Pa&amp;ste</source>
+        <translation>Вст&amp;авити</translation>
+    </message>
+    <message>
+        <source>Duplicat&amp;e</source>
+        <translation>&amp;Дублювати</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me</source>
+        <translation>&amp;Перейменувати</translation>
+    </message>
+    <message>
+        <source>Move &amp;up in the list</source>
+        <translation>Посунути в&amp;гору у списку</translation>
+    </message>
+    <message>
+        <source>Move do&amp;wn in the list</source>
+        <translation>Посунути вни&amp;з у списку</translation>
+    </message>
+    <message>
+        <source>&amp;Show the curve</source>
+        <translation>По&amp;казати криву</translation>
+    </message>
+    <message>
+        <source>Ru&amp;lers</source>
+        <translation>&amp;Лінійки</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Прилип&amp;ання</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -348,6 +388,13 @@
     <message>
         <source>Overlaps of the sheet</source>
         <translation>Накладання на аркуші</translation>
+    </message>
+</context>
+<context>
+    <name>Clip</name>
+    <message>
+        <source>The clipboard: %1</source>
+        <translation>Буфер обміну: %1</translation>
     </message>
 </context>
 <context>
@@ -619,10 +666,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
 <context>
     <name>Hint</name>
     <message>
-        <source>The clipboard holds no table of two numbers in each line</source>
-        <translation>У буфері немає таблиці з двома числами в кожному рядку</translation>
-    </message>
-    <message>
         <source>Drag: move the handle</source>
         <translation>Перетягування: рухає маркер</translation>
     </message>
@@ -768,6 +811,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Tool bar</source>
         <translation>Панель інструментів</translation>
+    </message>
+    <message>
+        <source>Use these &amp;points in</source>
+        <translation>Використати ці &amp;точки у вкладці</translation>
     </message>
 </context>
 <context>
@@ -989,10 +1036,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Додавання точки</translation>
     </message>
     <message>
-        <source>Add points</source>
-        <translation>Додавання точок</translation>
-    </message>
-    <message>
         <source>Insert a point</source>
         <translation>Вставлення точки</translation>
     </message>
@@ -1112,6 +1155,116 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Set the blossom</source>
         <translation>Зміна полярної форми</translation>
     </message>
+    <message>
+        <source>Cut the curve</source>
+        <translation>Вирізання кривої</translation>
+    </message>
+    <message>
+        <source>Cut points</source>
+        <translation>Вирізання точок</translation>
+    </message>
+    <message>
+        <source>Paste points</source>
+        <translation>Вставлення точок</translation>
+    </message>
+    <message>
+        <source>Paste the curve</source>
+        <translation>Вставлення кривої</translation>
+    </message>
+    <message>
+        <source>Duplicate points</source>
+        <translation>Дублювання точок</translation>
+    </message>
+    <message>
+        <source>Set the width of the line</source>
+        <translation>Зміна товщини лінії</translation>
+    </message>
+    <message>
+        <source>Set the dashes of the line</source>
+        <translation>Зміна типу лінії</translation>
+    </message>
+    <message>
+        <source>Set the marks of the points</source>
+        <translation>Зміна знаків точок</translation>
+    </message>
+    <message>
+        <source>Show the labels</source>
+        <translation>Показ позначень</translation>
+    </message>
+    <message>
+        <source>Hide the labels</source>
+        <translation>Приховання позначень</translation>
+    </message>
+    <message>
+        <source>Reset the style</source>
+        <translation>Скидання стилю</translation>
+    </message>
+    <message>
+        <source>Use the points of a tab</source>
+        <translation>Використання точок з іншої вкладки</translation>
+    </message>
+</context>
+<context>
+    <name>StyleEditor</name>
+    <message>
+        <source>Solid</source>
+        <translation>Суцільна</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Штрихова</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Пунктирна</translation>
+    </message>
+    <message>
+        <source>Dash-dot</source>
+        <translation>Штрихпунктирна</translation>
+    </message>
+    <message>
+        <source>As usual</source>
+        <translation>Звичайні</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Немає</translation>
+    </message>
+    <message>
+        <source>Circles</source>
+        <translation>Кружки</translation>
+    </message>
+    <message>
+        <source>Squares</source>
+        <translation>Квадратики</translation>
+    </message>
+    <message>
+        <source>Diamonds</source>
+        <translation>Ромби</translation>
+    </message>
+</context>
+<context>
+    <name>TableErrors</name>
+    <message>
+        <source>The clipboard holds no points</source>
+        <translation>У буфері обміну немає точок</translation>
+    </message>
+    <message>
+        <source>The clipboard: more than %1 points are too many for a curve</source>
+        <translation>Буфер обміну: понад %1 точок — забагато для однієї кривої</translation>
+    </message>
+    <message>
+        <source>The clipboard, line %1: expected two numbers</source>
+        <translation>Буфер обміну, рядок %1: очікувалося два числа</translation>
+    </message>
+    <message>
+        <source>The clipboard, line %1: “%2” is no number</source>
+        <translation>Буфер обміну, рядок %1: «%2» — не число</translation>
+    </message>
+    <message>
+        <source>The clipboard, line %1: “%2” is not from %3 to %4</source>
+        <translation>Буфер обміну, рядок %1: «%2» не в межах від %3 до %4</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::AboutDialog</name>
@@ -1179,6 +1332,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Curves</source>
         <translation>Криві</translation>
+    </message>
+    <message>
+        <source>Style of the curve</source>
+        <translation>Стиль кривої</translation>
     </message>
 </context>
 <context>
@@ -1418,6 +1575,29 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Zoom</source>
         <translation>Масштаб</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::StyleEditor</name>
+    <message>
+        <source>Width of the line</source>
+        <translation>Товщина лінії</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Лінія</translation>
+    </message>
+    <message>
+        <source>Marks of the points</source>
+        <translation>Знаки точок</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Позначення</translation>
+    </message>
+    <message>
+        <source>Usual style</source>
+        <translation>Звичайний стиль</translation>
     </message>
 </context>
 <context>

@@ -74,8 +74,27 @@ CombinedCurve withGripsMoved(const CombinedCurve& curve, std::span<const GripId>
     return moved;
 }
 
-Edited<CombinedCurve> withPointAdded(const CombinedCurve& curve, Point at) {
-    return withPointInserted(curve, static_cast<int>(curve.points.size()), at);
+Edited<CombinedCurve> withPointAdded(CombinedCurve curve, Point at) {
+    return {withPointsAdded(std::move(curve), std::span(&at, 1)), {}};
+}
+
+CombinedCurve withPointsAdded(CombinedCurve curve, std::span<const Point> points) {
+    curve.points.insert(curve.points.end(), points.begin(), points.end());
+    // A curve without points may hold corrections of any pair; one that has some holds those of its own pairs.
+    if (!isIncomplete(curve))
+        std::erase_if(curve.corrections, [&](const auto& entry) {
+            return static_cast<std::size_t>(entry.first) + 1 >= curve.points.size();
+        });
+    return curve;
+}
+
+CombinedCurve appended(CombinedCurve curve, const CombinedCurve& other) {
+    const int count = static_cast<int>(curve.points.size());
+    curve = withPointsAdded(std::move(curve), other.points);
+    for (const auto& [pair, middle] : other.corrections)
+        if (static_cast<std::size_t>(pair) + 1 < other.points.size())
+            curve.corrections.insert_or_assign(count + pair, middle);
+    return curve;
 }
 
 Edited<CombinedCurve> withPointsRemoved(const CombinedCurve& curve, const std::vector<int>& indices) {

@@ -31,7 +31,10 @@ namespace kriva {
 /// All the named grips moved by the same vector; grips that do not exist are passed over. A middle point that is moved
 /// becomes a correction; those of moved points stay where they are.
 [[nodiscard]] CombinedCurve withGripsMoved(const CombinedCurve& curve, std::span<const GripId> ids, Vector by);
-[[nodiscard]] Edited<CombinedCurve> withPointAdded(const CombinedCurve& curve, Point at);
+[[nodiscard]] Edited<CombinedCurve> withPointAdded(CombinedCurve curve, Point at);
+[[nodiscard]] CombinedCurve withPointsAdded(CombinedCurve curve, std::span<const Point> points);
+/// The points of another curve behind its own, with the corrections of their pairs.
+[[nodiscard]] CombinedCurve appended(CombinedCurve curve, const CombinedCurve& other);
 /// `indices` ascending.
 [[nodiscard]] Edited<CombinedCurve> withPointsRemoved(const CombinedCurve& curve, const std::vector<int>& indices);
 /// The same: the polynomials are fitted anew in any case.

@@ -114,6 +114,14 @@ Edited<Curve> withPointAdded(Curve curve, Point at) {
     return std::visit([&](auto& c) { return widened(withPointAdded(std::move(c), at)); }, curve);
 }
 
+Curve withPointsAdded(Curve curve, std::span<const Point> points) {
+    return std::visit([&](auto& c) { return Curve(withPointsAdded(std::move(c), points)); }, curve);
+}
+
+Curve appended(Curve curve, const Curve& other) {
+    return std::visit([&]<class C>(C& c) { return Curve(appended(std::move(c), std::get<C>(other))); }, curve);
+}
+
 std::optional<Edited<Curve>> withPointInserted(const Curve& curve, Point near) {
     return std::visit(
         [&](const auto& c) -> std::optional<Edited<Curve>> {
@@ -155,7 +163,7 @@ std::span<const LayerInfo> layersOf(SheetIndex sheet) {
 }
 
 Figure figureOf(const Curve& curve, const FigureContext& context) {
-    return std::visit([&](const auto& c) { return figureOf(c, context); }, curve);
+    return styled(std::visit([&](const auto& c) { return figureOf(c, context); }, curve), styleOf(curve));
 }
 
 std::vector<Result> results(const Curve& curve) {

@@ -66,6 +66,9 @@ template <class C>
 [[nodiscard]] Curve withGripsMoved(const Curve& curve, std::span<const GripId> ids, Vector by);
 /// By value, so that adding many to a moved curve copies nothing.
 [[nodiscard]] Edited<Curve> withPointAdded(Curve curve, Point at);
+[[nodiscard]] Curve withPointsAdded(Curve curve, std::span<const Point> points);
+/// The points of another curve of the same kind behind its own, with all that belongs to them.
+[[nodiscard]] Curve appended(Curve curve, const Curve& other);
 /// A point more near a place of the curve that keeps its shape; nothing where the curve has no room for one.
 [[nodiscard]] std::optional<Edited<Curve>> withPointInserted(const Curve& curve, Point near);
 /// The curve pulled where it is nearest to `from`; nothing where it gives way to no pull.

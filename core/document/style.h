@@ -16,12 +16,23 @@ struct Color {
     friend constexpr bool operator==(const Color&, const Color&) = default;
 };
 
+enum class LineDash { solid, dashed, dotted, dashDot };
+
+enum class Marker { none, circle, square, diamond, ring };
+
 /// Undone like points; what is not set follows the role's style.
 struct CurveStyle {
     std::optional<Color> color;
-    std::optional<double> width; ///< of the curve's line, in points
+    std::optional<double> width;  ///< of the curve's line, in points
+    std::optional<LineDash> dash; ///< of the curve's line
+    std::optional<Marker> marker; ///< of the curve's points; never a ring, which is that of crossings
+    bool hasLabels = true;
     friend bool operator==(const CurveStyle&, const CurveStyle&) = default;
 };
+
+/// How wide a line may be, in points: thinner than the least no printer draws.
+inline constexpr double kLeastWidth = 0.05;
+inline constexpr double kMostWidth = 20;
 
 /// Saved, but never undone and never a modification.
 struct CurveView {

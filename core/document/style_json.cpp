@@ -5,22 +5,34 @@
 namespace kriva {
 namespace {
 
-constexpr double kWidthLow = 0.05; // points: thinner than any printer draws
-constexpr double kWidthHigh = 20;
 constexpr double kScaleLow = 1e-12;
 constexpr double kScaleHigh = 1e9;
+
+const std::initializer_list<std::pair<std::string_view, LineDash>> kDashes = {{"solid", LineDash::solid},
+                                                                              {"dashed", LineDash::dashed},
+                                                                              {"dotted", LineDash::dotted},
+                                                                              {"dash-dot", LineDash::dashDot}};
+
+const std::initializer_list<std::pair<std::string_view, Marker>> kMarkers = {
+    {"none", Marker::none}, {"circle", Marker::circle}, {"square", Marker::square}, {"diamond", Marker::diamond}};
 
 } // namespace
 
 void readStyle(const JsonNode& node, CurveStyle& style) {
-    const JsonObject object(node, {"color", "width"});
+    const JsonObject object(node, {"color", "width", "dash", "marker", "labels"});
     if (const JsonNode* color = object.find("color")) {
         style.color = colorFromHex(color->text());
         if (!style.color)
             color->refuse(FileProblem::expectedColor);
     }
     if (const JsonNode* width = object.find("width"))
-        style.width = width->number(kWidthLow, kWidthHigh);
+        style.width = width->number(kLeastWidth, kMostWidth);
+    if (const JsonNode* dash = object.find("dash"))
+        style.dash = dash->oneOf(kDashes);
+    if (const JsonNode* marker = object.find("marker"))
+        style.marker = marker->oneOf(kMarkers);
+    if (const JsonNode* labels = object.find("labels"))
+        style.hasLabels = labels->trueOrFalse();
 }
 
 void readView(const JsonNode& node, CurveView& view) {
@@ -49,6 +61,12 @@ void writeStyle(JsonWriter& json, const CurveStyle& style) {
         json.member("color", std::string_view(hexOf(*style.color)));
     if (style.width)
         json.member("width", *style.width);
+    if (style.dash)
+        json.member("dash", wordOf(*style.dash, kDashes));
+    if (style.marker)
+        json.member("marker", wordOf(*style.marker, kMarkers));
+    if (!style.hasLabels)
+        json.member("labels", false);
     json.endObject();
 }
 

@@ -29,6 +29,15 @@ Edited<ElevationCurve> withPointAdded(ElevationCurve curve, Point at) {
     return edited;
 }
 
+ElevationCurve withPointsAdded(ElevationCurve curve, std::span<const Point> points) {
+    curve.points.insert(curve.points.end(), points.begin(), points.end());
+    return curve;
+}
+
+ElevationCurve appended(ElevationCurve curve, const ElevationCurve& other) {
+    return withPointsAdded(std::move(curve), other.points);
+}
+
 Edited<ElevationCurve> withPointsRemoved(const ElevationCurve& curve, const std::vector<int>& indices) {
     Edited<ElevationCurve> edited{curve, mapWithout(static_cast<int>(curve.points.size()), indices)};
     edited.curve.points = without(curve.points, indices);

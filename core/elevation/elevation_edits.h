@@ -29,6 +29,9 @@ namespace kriva {
 /// All the named grips moved by the same vector; grips that do not exist are passed over.
 [[nodiscard]] ElevationCurve withGripsMoved(const ElevationCurve& curve, std::span<const GripId> ids, Vector by);
 [[nodiscard]] Edited<ElevationCurve> withPointAdded(ElevationCurve curve, Point at);
+[[nodiscard]] ElevationCurve withPointsAdded(ElevationCurve curve, std::span<const Point> points);
+/// The points of another curve behind its own, with all that belongs to them.
+[[nodiscard]] ElevationCurve appended(ElevationCurve curve, const ElevationCurve& other);
 /// `indices` ascending. The degree falls.
 [[nodiscard]] Edited<ElevationCurve> withPointsRemoved(const ElevationCurve& curve, const std::vector<int>& indices);
 /// The same: there are no pieces to refit.

@@ -26,6 +26,17 @@ Path chain(const std::vector<Points>& pieces, bool isClosed) {
     return path;
 }
 
+Figure styled(Figure figure, const CurveStyle& style) {
+    for (Layer& layer : figure.layers) {
+        if (!style.hasLabels)
+            layer.labels.clear();
+        for (Marks& marks : layer.marks)
+            if (marks.role == Role::point || marks.role == Role::knot)
+                marks.marker = style.marker;
+    }
+    return figure;
+}
+
 Figure united(std::vector<Figure> figures, std::span<const LayerInfo> order) {
     Figure result;
     for (const LayerInfo& info : order) {

@@ -70,6 +70,7 @@ struct Marks {
     Points at;
     Role role = Role::point;
     int series = 0;
+    std::optional<Marker> marker = {}; ///< replaces the role's
     friend bool operator==(const Marks&, const Marks&) = default;
 };
 
@@ -115,6 +116,9 @@ struct FigureContext {
     int curve = 0; ///< index in the sheet
     bool isActive = true;
 };
+
+/// The figure of a curve as its style asks for: the marks of its points in another shape, its labels left out.
+[[nodiscard]] Figure styled(Figure figure, const CurveStyle& style);
 
 /// The layers of several figures of one sheet, united by name.
 [[nodiscard]] Figure united(std::vector<Figure> figures, std::span<const LayerInfo> order);

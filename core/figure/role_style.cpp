@@ -1,7 +1,9 @@
 #include "core/figure/role_style.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
+#include <span>
 
 namespace kriva {
 namespace {
@@ -51,7 +53,7 @@ class Palette {
 
     template <class AnyInk>
     [[nodiscard]] RoleStyle line(AnyInk ink, double width, std::span<const double> dashes = {}) const {
-        return {(*this)(ink), width, dashes, Marker::none, 0, 0, {}};
+        return {(*this)(ink), width, std::vector(dashes.begin(), dashes.end()), Marker::none, 0, 0, {}};
     }
     [[nodiscard]] RoleStyle filled(RoleStyle line, Marker marker, double size) const {
         // A rim in the paper's colour would eat small marks: they are filled to the edge.
@@ -64,6 +66,29 @@ class Palette {
   private:
     Theme theme_;
 };
+
+std::span<const double> dashesOf(LineDash dash) {
+    switch (dash) {
+    case LineDash::solid:
+        break;
+    case LineDash::dashed:
+        return kDashes;
+    case LineDash::dotted:
+        return kDots;
+    case LineDash::dashDot:
+        return kDashDot;
+    }
+    return {};
+}
+
+/// The pattern of a line so wide: beyond the widest line of any role it grows, or its gaps would close.
+std::vector<double> dashesOf(LineDash dash, double width) {
+    constexpr double kWidest = 2;
+    std::vector<double> lengths;
+    for (const double length : dashesOf(dash))
+        lengths.push_back(length * std::max(1.0, width / kWidest));
+    return lengths;
+}
 
 template <class Element, std::size_t size>
 const Element& cyclic(const std::array<Element, size>& elements, int index) {
@@ -114,6 +139,14 @@ RoleStyle styleOf(const Stroke& stroke, Theme theme) {
     RoleStyle style = styleOf(stroke.role, stroke.series, theme);
     style.color = stroke.style.color.value_or(style.color);
     style.width = stroke.style.width.value_or(style.width);
+    if (stroke.style.dash)
+        style.dashes = dashesOf(*stroke.style.dash, style.width);
+    return style;
+}
+
+RoleStyle styleOf(const Marks& marks, Theme theme) {
+    RoleStyle style = styleOf(marks.role, marks.series, theme);
+    style.marker = marks.marker.value_or(style.marker);
     return style;
 }
 

@@ -2,7 +2,7 @@
 
 #include "core/figure/figure.h"
 
-#include <span>
+#include <vector>
 
 /// How each role looks: the one place that canvas, plots and exports take it from. Lengths are in points (1/72 inch)
 /// and never scaled with the figure.
@@ -10,13 +10,11 @@ namespace kriva {
 
 enum class Theme { light, dark };
 
-enum class Marker { none, circle, square, diamond, ring };
-
 /// Roles differ by colour, and without colour by line (width, dashes) or marker (shape, size, whether it is hollow).
 struct RoleStyle {
-    Color color;                    ///< of the line, the outline of marks and the text
-    double width = 0;               ///< of the line; 0 where the role has none
-    std::span<const double> dashes; ///< dash, gap, dash, gap ... ; empty for a solid line
+    Color color;                ///< of the line, the outline of marks and the text
+    double width = 0;           ///< of the line; 0 where the role has none
+    std::vector<double> dashes; ///< dash, gap, dash, gap ... ; empty for a solid line
     Marker marker = Marker::none;
     double markerSize = 0;  ///< diameter of a circle, side of a square, diagonal of a diamond, without the outline
     double markerWidth = 0; ///< of the outline
@@ -26,8 +24,11 @@ struct RoleStyle {
 /// The style of a role; `series` counts levels or runs from 0 and repeats in cycles.
 [[nodiscard]] RoleStyle styleOf(Role role, int series, Theme theme);
 
-/// The style of a stroke: that of its role, with the colour and the width that its curve sets.
+/// The style of a stroke: that of its role, with the colour, the width and the dashes that its curve sets.
 [[nodiscard]] RoleStyle styleOf(const Stroke& stroke, Theme theme);
+
+/// The style of marks: that of their role, with the shape that their curve sets.
+[[nodiscard]] RoleStyle styleOf(const Marks& marks, Theme theme);
 
 /// What the figure is drawn on.
 [[nodiscard]] Color paperColor(Theme theme);

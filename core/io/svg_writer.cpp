@@ -78,6 +78,8 @@ void SvgText::head() {
         text_.append("<metadata><kriva:document xmlns:kriva=\"").append(kSvgDocumentNamespace).append("\">");
         line(xmlJson(content_.document) + "</kriva:document></metadata>");
     }
+    if (!content_.hasPaper)
+        return;
     text_ += "<rect id=\"paper\"";
     attribute("width", width);
     attribute("height", height);
@@ -129,7 +131,7 @@ void SvgText::stroke(const Stroke& stroke, bool isOfCurves) {
 }
 
 void SvgText::marks(const Marks& marks) {
-    const RoleStyle style = styleOf(marks.role, marks.series, content_.theme);
+    const RoleStyle style = styleOf(marks, content_.theme);
     if (style.marker == Marker::none || marks.at.empty())
         return;
     text_ += "<g";

@@ -15,6 +15,7 @@ struct SvgContent {
     std::string description;
     std::string document; ///< JSON that goes along in the metadata; empty for none
     Theme theme = Theme::light;
+    bool hasPaper = true; ///< a background of the paper's colour
 };
 
 /// A figure as an SVG file: layers as groups `layer-NAME`, the path of a curve itself `curve-N`, presentation

@@ -181,13 +181,29 @@ SplineCurve withGripsMoved(const SplineCurve& curve, std::span<const GripId> ids
     return moved;
 }
 
-Edited<SplineCurve> withPointAdded(const SplineCurve& curve, Point at) {
-    Edited<SplineCurve> edited{curve, {}};
-    edited.curve.knots.push_back({at, Join::automatic, {}, {}});
+Edited<SplineCurve> withPointAdded(SplineCurve curve, Point at) {
+    return {withPointsAdded(std::move(curve), std::span(&at, 1)), {}};
+}
+
+SplineCurve withPointsAdded(SplineCurve curve, std::span<const Point> points) {
+    SplineCurve added;
+    for (const Point at : points)
+        added.knots.push_back({at, Join::automatic, {}, {}});
+    return appended(std::move(curve), added);
+}
+
+SplineCurve appended(SplineCurve curve, const SplineCurve& other) {
+    if (other.knots.empty())
+        return curve;
+    const int count = countOf(curve);
     if (curve.closed) // the closing segment goes, and another comes
-        edited.curve.inner.erase(countOf(curve) - 1);
-    edited.curve = repaired(std::move(edited.curve));
-    return edited;
+        curve.inner.erase(count - 1);
+    if (curve.degree == other.degree)
+        for (const auto& [segment, points] : other.inner)
+            if (segment + 1 < countOf(other))
+                curve.inner.emplace(count + segment, points);
+    curve.knots.insert(curve.knots.end(), other.knots.begin(), other.knots.end());
+    return repaired(std::move(curve));
 }
 
 Edited<SplineCurve> withPointsRemoved(const SplineCurve& curve, const std::vector<int>& indices) {

@@ -31,7 +31,12 @@ namespace kriva {
 /// of its join, and makes an automatic knot symmetric.
 [[nodiscard]] SplineCurve withGripsMoved(const SplineCurve& curve, std::span<const GripId> ids, Vector by);
 /// An automatic knot behind the last one.
-[[nodiscard]] Edited<SplineCurve> withPointAdded(const SplineCurve& curve, Point at);
+[[nodiscard]] Edited<SplineCurve> withPointAdded(SplineCurve curve, Point at);
+/// Automatic knots behind the last one.
+[[nodiscard]] SplineCurve withPointsAdded(SplineCurve curve, std::span<const Point> points);
+/// The knots of another curve behind its own, with their joins and stored handles; their inner points too where both
+/// curves are of one degree.
+[[nodiscard]] SplineCurve appended(SplineCurve curve, const SplineCurve& other);
 /// `indices` ascending. The other knots keep what they are; removal.h has the removal that refits them.
 [[nodiscard]] Edited<SplineCurve> withPointsRemoved(const SplineCurve& curve, const std::vector<int>& indices);
 /// Nothing: it has pieces.

@@ -3,8 +3,6 @@
 #include "core/document/style_json.h"
 #include "core/figure/labels.h"
 
-#include <algorithm>
-
 namespace kriva {
 namespace {
 
@@ -18,11 +16,6 @@ const std::initializer_list<std::pair<std::string_view, Rule>> kRules = {{"mirro
                                                                          {"natural", Rule::natural},
                                                                          {"clamped", Rule::clamped},
                                                                          {"catmull-rom", Rule::catmullRom}};
-
-template <class Value>
-std::string_view wordOf(Value value, std::initializer_list<std::pair<std::string_view, Value>> table) {
-    return std::ranges::find(table, value, &std::pair<std::string_view, Value>::second)->first;
-}
 
 SplineKnot readKnot(const JsonNode& node) {
     const JsonObject object(node, {"at", "join", "in", "out"});

@@ -44,11 +44,21 @@ SubdivisionCurve withGripsMoved(const SubdivisionCurve& curve, std::span<const G
 }
 
 Edited<SubdivisionCurve> withPointAdded(SubdivisionCurve curve, Point at) {
-    Edited<SubdivisionCurve> edited{std::move(curve), {}};
-    edited.curve.points.push_back(at);
-    edited.curve.multiplicity.push_back(1);
-    fitBlossom(edited.curve);
-    return edited;
+    return {withPointsAdded(std::move(curve), std::span(&at, 1)), {}};
+}
+
+SubdivisionCurve withPointsAdded(SubdivisionCurve curve, std::span<const Point> points) {
+    curve.points.insert(curve.points.end(), points.begin(), points.end());
+    curve.multiplicity.resize(curve.points.size(), 1);
+    fitBlossom(curve);
+    return curve;
+}
+
+SubdivisionCurve appended(SubdivisionCurve curve, const SubdivisionCurve& other) {
+    curve.points.insert(curve.points.end(), other.points.begin(), other.points.end());
+    curve.multiplicity.insert(curve.multiplicity.end(), other.multiplicity.begin(), other.multiplicity.end());
+    fitBlossom(curve);
+    return curve;
 }
 
 Edited<SubdivisionCurve> withPointsRemoved(const SubdivisionCurve& curve, const std::vector<int>& indices) {

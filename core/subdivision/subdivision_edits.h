@@ -31,6 +31,10 @@ namespace kriva {
 [[nodiscard]] SubdivisionCurve withGripsMoved(const SubdivisionCurve& curve, std::span<const GripId> ids, Vector by);
 /// The new point stands once.
 [[nodiscard]] Edited<SubdivisionCurve> withPointAdded(SubdivisionCurve curve, Point at);
+/// Each stands once.
+[[nodiscard]] SubdivisionCurve withPointsAdded(SubdivisionCurve curve, std::span<const Point> points);
+/// The points of another curve behind its own, with their multiplicities.
+[[nodiscard]] SubdivisionCurve appended(SubdivisionCurve curve, const SubdivisionCurve& other);
 /// `indices` ascending. The degree falls.
 [[nodiscard]] Edited<SubdivisionCurve> withPointsRemoved(const SubdivisionCurve& curve,
                                                          const std::vector<int>& indices);

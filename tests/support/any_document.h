@@ -60,6 +60,11 @@ inline rc::Gen<Document> anyDocument() {
             cut.multiplicity.assign(cut.points.size(), *rc::gen::inRange(1, 3));
             cut.t = *rc::gen::element(0.5, 0.1, 1.0 / 3);
             cut.style.width = *rc::gen::element(0.5, 2.25);
+            cut.style.dash = *rc::gen::element<std::optional<LineDash>>(std::nullopt, LineDash::solid, LineDash::dashed,
+                                                                        LineDash::dotted, LineDash::dashDot);
+            cut.style.marker = *rc::gen::element<std::optional<Marker>>(std::nullopt, Marker::none, Marker::circle,
+                                                                        Marker::square, Marker::diamond);
+            cut.style.hasLabels = *rc::gen::arbitrary<bool>();
             document.sheets[1].curves.emplace_back(cut);
         }
         document.sheets[0].view.layers["labels"] = *rc::gen::arbitrary<bool>();

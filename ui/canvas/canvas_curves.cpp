@@ -90,6 +90,14 @@ std::vector<HitTarget> CanvasCurves::targets() const {
     return found;
 }
 
+std::vector<SnapTarget> CanvasCurves::snapTargets() const {
+    std::vector<SnapTarget> found;
+    found.reserve(entries_.size());
+    for (const Entry& entry : entries_)
+        found.push_back({entry.serial, entry.grips, &entry.item->figure()});
+    return found;
+}
+
 std::vector<GripRef> CanvasCurves::points() const {
     std::vector<GripRef> found;
     for (const Entry& entry : entries_)

@@ -2,6 +2,7 @@
 
 #include "ui/canvas/figure_item.h"
 #include "ui/canvas/hit_test.h"
+#include "ui/canvas/snapping.h"
 
 #include <QString>
 
@@ -41,6 +42,8 @@ class CanvasCurves {
 
     /// They hold as long as nothing is set, updated or prepared.
     [[nodiscard]] std::vector<HitTarget> targets() const;
+    /// What a dragged point may snap to.
+    [[nodiscard]] std::vector<SnapTarget> snapTargets() const;
     /// All points that can be taken hold of, by curve and index.
     [[nodiscard]] std::vector<GripRef> points() const;
     [[nodiscard]] std::optional<Point> placeOf(const GripRef& grip) const;

@@ -46,6 +46,11 @@ void CanvasScene::setRubberBand(std::optional<QRectF> band) {
     update();
 }
 
+void CanvasScene::setSnap(std::optional<Snap> snap) {
+    if (std::exchange(snap_, snap) != snap)
+        update();
+}
+
 void CanvasScene::setMapping(const Viewport& mapping) {
     sight_.viewport = mapping;
     setSceneRect(sight_.rectangle());
@@ -82,7 +87,8 @@ void CanvasScene::setGridShown(bool isShown) {
 
 void CanvasScene::setAxesShown(bool areShown) {
     grid_.hasAxes = areShown;
-    update();
+    sight_.hasAxes = areShown;
+    invalidate();
 }
 
 void CanvasScene::invalidate() {
@@ -112,6 +118,10 @@ Selection CanvasScene::pointsIn(const QRectF& pixels) const {
     return kriva::ui::pointsIn(pixels, curves_.targets(), sight_.viewport);
 }
 
+std::optional<Snap> CanvasScene::snapOf(const SnappingPlace& place) const {
+    return kriva::ui::snapOf(place, curves_.snapTargets(), sight_.viewport, grid_.hasGrid);
+}
+
 const Points& CanvasScene::selectedPlaces() {
     if (!selectedPlaces_)
         selectedPlaces_ = curves_.placesOf(selection_);
@@ -126,6 +136,8 @@ void CanvasScene::drawBackground(QPainter* painter, const QRectF& rectangle) {
 void CanvasScene::drawForeground(QPainter* painter, const QRectF&) {
     for (const Stamps& stamps : highlights_)
         paint(*painter, stamps, sight_.devicePixelRatio);
+    if (snap_)
+        paintSnap(*painter, *snap_, colors_, sight_.viewport);
     if (band_)
         paintRubberBand(*painter, *band_, colors_);
 }

@@ -3,6 +3,7 @@
 #include "ui/canvas/canvas_curves.h"
 #include "ui/canvas/drawing/grid.h"
 #include "ui/canvas/drawing/highlights.h"
+#include "ui/canvas/snapping.h"
 
 #include <QGraphicsScene>
 
@@ -22,6 +23,8 @@ class CanvasScene : public QGraphicsScene {
     [[nodiscard]] const Selection& selection() const { return selection_; }
     void setHovered(std::optional<GripRef> grip);
     void setRubberBand(std::optional<QRectF> band);
+    /// What the dragged point snapped to, shown by a mark.
+    void setSnap(std::optional<Snap> snap);
 
     void setMapping(const Viewport& mapping);
     [[nodiscard]] const Viewport& mapping() const { return sight_.viewport; }
@@ -39,6 +42,8 @@ class CanvasScene : public QGraphicsScene {
 
     [[nodiscard]] Hit hitAt(QPointF pixel);
     [[nodiscard]] Selection pointsIn(const QRectF& pixels) const;
+    /// To what a place snaps among the curves that are shown and, where it is, the grid.
+    [[nodiscard]] std::optional<Snap> snapOf(const SnappingPlace& place) const;
     [[nodiscard]] const CanvasCurves& curves() const { return curves_; }
     [[nodiscard]] const Points& selectedPlaces();
 
@@ -55,6 +60,7 @@ class CanvasScene : public QGraphicsScene {
     std::optional<Points> selectedPlaces_; ///< as long as they are known
     std::optional<GripRef> hovered_;
     std::optional<QRectF> band_;
+    std::optional<Snap> snap_;
     Sight sight_;
     GridLook grid_;
     HighlightColors colors_;

@@ -75,6 +75,7 @@ void CanvasView::setMapping(const Viewport& mapping) {
     isFitDue_ = false;
     scene_.setMapping(mapping);
     gestures_.follow(QGuiApplication::keyboardModifiers());
+    Q_EMIT mappingChanged(mapping);
     if (zoomPercent() != before)
         Q_EMIT zoomChanged(zoomPercent());
 }
@@ -128,6 +129,7 @@ bool CanvasView::viewportEvent(QEvent* event) {
     if (event->type() == QEvent::Leave) {
         gestures_.leave();
         scene_.setHovered(std::nullopt);
+        scene_.setSnap(std::nullopt);
     } else if (event->type() == QEvent::UngrabMouse) {
         gestures_.finish();
     }

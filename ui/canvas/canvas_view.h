@@ -58,6 +58,8 @@ class CanvasView : public QGraphicsView {
     void hover(QPointF pixel, Qt::KeyboardModifiers modifiers);
     /// Scrolls just so far that the grip is seen.
     void reveal(const GripRef& grip);
+    [[nodiscard]] std::optional<Snap> snapOf(const SnappingPlace& place) const { return scene_.snapOf(place); }
+    void showSnap(std::optional<Snap> snap) { scene_.setSnap(snap); }
     void setRubberBand(std::optional<QRectF> band) { scene_.setRubberBand(band); }
     void requestContextMenu(QPointF pixel);
     /// Gives the focus to the next widget.
@@ -65,6 +67,7 @@ class CanvasView : public QGraphicsView {
 
   Q_SIGNALS:
     void zoomChanged(double percent);
+    void mappingChanged(const kriva::ui::Viewport& mapping);
     void pointerMoved(kriva::Point at);
     void toolChanged(kriva::ui::Tool tool);
     void gridShownChanged(bool isShown);

@@ -38,6 +38,13 @@ constexpr double kMostPairs = 200'000;
     return {pixel.x(), -pixel.y()};
 }
 
+[[nodiscard]] Layer axesOfView(const Viewport& viewport) {
+    const Point origin = onPageOfView(viewport.toPixels({}));
+    const Points across{{0, origin.y}, {viewport.size.width(), origin.y}};
+    const Points upwards{{origin.x, -viewport.size.height()}, {origin.x, 0}};
+    return {"axes", {{polyline(across), Role::construction}, {polyline(upwards), Role::construction}}};
+}
+
 } // namespace
 
 void FigureItem::prepare(const Sight& sight, MarkPictures& pictures, FrameLoad& frame) {
@@ -66,7 +73,7 @@ void FigureItem::prepareLayer(const Layer& layer, const Sight& sight, MarkPictur
         seen.strokes.push_back(prepared(stroke, sight, frame));
     StampView view{sight.viewport, devicePixelRatio_, sight.fineness.markSpacing};
     for (const Marks& marks : layer.marks) {
-        const RoleStyle style = styleOf(marks.role, marks.series, sight.theme);
+        const RoleStyle style = styleOf(marks, sight.theme);
         if (style.marker == Marker::none)
             continue;
         view.most = FrameLoad::kMarks - frame.marks;
@@ -87,7 +94,9 @@ PreparedStroke FigureItem::prepared(const Stroke& stroke, const Sight& sight, Fr
 }
 
 void FigureItem::prepareLabels(const Sight& sight) {
-    const Figure seen = seenFigure(seenLabels(sight.viewport));
+    Figure seen = seenFigure(seenLabels(sight.viewport));
+    if (sight.hasAxes) // in the way of labels, though drawn elsewhere
+        seen.layers.push_back(axesOfView(sight.viewport));
     const auto placed = placedLabels(seen, pageOfView(sight.viewport.size), sight.texts);
     for (std::size_t i = 0; i < layers_.size(); ++i)
         layers_[i].labels = placed[i];

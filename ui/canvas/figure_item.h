@@ -16,6 +16,7 @@ struct Sight {
     TextSource texts;
     Fineness fineness;
     double devicePixelRatio = 1;
+    bool hasAxes = true; ///< behind the figures
 
     [[nodiscard]] QRectF rectangle() const { return {{}, viewport.size}; }
 };

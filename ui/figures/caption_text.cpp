@@ -131,7 +131,7 @@ QString captionText(Caption caption) {
 
 TextSource textSource() {
     return {[](Caption caption) { return captionText(caption).toStdString(); },
-            [](double value, int decimals) { return formatNumber(value, decimals).toStdString(); },
+            [](double value, int decimals) { return withMinus(formatNumber(value, decimals)).toStdString(); },
             QLocale().bcp47Name().toStdString()};
 }
 

@@ -1,9 +1,11 @@
 #include "ui/panels/curves_panel.h"
 
+#include "ui/panels/style_editor.h"
 #include "ui/sheets/sheet_editor.h"
 #include "ui/shell/look/icons.h"
 
 #include <QColorDialog>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
@@ -21,7 +23,9 @@ CurvesPanel::CurvesPanel(SheetEditor& editor, QWidget* parent)
     , delete_(new QToolButton(this))
     , up_(new QToolButton(this))
     , down_(new QToolButton(this))
-    , color_(new QToolButton(this)) {
+    , color_(new QToolButton(this))
+    , style_(new QToolButton(this))
+    , styleEditor_(new StyleEditor(editor, this)) {
     list_->setObjectName(QStringLiteral("curves"));
     list_->setModel(&model_);
     list_->setFrameShape(QFrame::NoFrame);
@@ -32,9 +36,12 @@ CurvesPanel::CurvesPanel(SheetEditor& editor, QWidget* parent)
     delete_->setIcon(icon(IconName::Delete));
     up_->setIcon(icon(IconName::Up));
     down_->setIcon(icon(IconName::Down));
+    style_->setIcon(icon(IconName::More));
+    style_->setCheckable(true);
+    styleEditor_->hide();
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(0);
-    for (QToolButton* button : {add_, duplicate_, delete_, up_, down_, color_}) {
+    for (QToolButton* button : {add_, duplicate_, delete_, up_, down_, color_, style_}) {
         button->setAutoRaise(true);
         button->setFocusPolicy(Qt::TabFocus);
         buttons->addWidget(button);
@@ -45,6 +52,7 @@ CurvesPanel::CurvesPanel(SheetEditor& editor, QWidget* parent)
     layout->setSpacing(2);
     layout->addWidget(list_, 1);
     layout->addLayout(buttons);
+    layout->addWidget(styleEditor_);
     connectButtons();
     retranslateUi();
 }
@@ -58,6 +66,7 @@ void CurvesPanel::connectButtons() {
     connect(down_, &QToolButton::clicked, this,
             [this] { editor_.moveCurve(editor_.activeSerial(), editor_.sheet().view.activeCurve + 1); });
     connect(color_, &QToolButton::clicked, this, &CurvesPanel::chooseColor);
+    connect(style_, &QToolButton::toggled, styleEditor_, &QWidget::setVisible);
     connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& index) {
         if (index.isValid())
             editor_.document().setActiveCurve(editor_.index(), model_.serialAt(index.row()));
@@ -84,6 +93,7 @@ void CurvesPanel::retranslateUi() {
     name(up_, tr("Move the curve up"));
     name(down_, tr("Move the curve down"));
     name(color_, tr("Colour of the curve"));
+    name(style_, tr("Style of the curve"));
     list_->setAccessibleName(tr("Curves"));
     model_.retranslate();
     showState();
@@ -104,13 +114,22 @@ void CurvesPanel::showState() {
     color_->setIcon(swatch);
 }
 
+void CurvesPanel::beginRenaming() {
+    list_->setFocus();
+    list_->edit(list_->currentIndex());
+}
+
 void CurvesPanel::chooseColor() {
     const Serial serial = editor_.activeSerial();
     const QColor before = model_.index(editor_.sheet().view.activeCurve).data(Qt::DecorationRole).value<QColor>();
     const QColor chosen = QColorDialog::getColor(before, this, tr("Colour of the curve"));
-    if (chosen.isValid())
-        editor_.colorCurve(serial, {static_cast<std::uint8_t>(chosen.red()), static_cast<std::uint8_t>(chosen.green()),
-                                    static_cast<std::uint8_t>(chosen.blue())});
+    const Curve* curve = editor_.document().find(editor_.index(), serial);
+    if (!chosen.isValid() || !curve)
+        return;
+    CurveStyle style = styleOf(*curve);
+    style.color = Color{static_cast<std::uint8_t>(chosen.red()), static_cast<std::uint8_t>(chosen.green()),
+                        static_cast<std::uint8_t>(chosen.blue())};
+    editor_.styleCurve(serial, style, {QT_TRANSLATE_NOOP("Step", "Colour the curve")});
 }
 
 } // namespace kriva::ui

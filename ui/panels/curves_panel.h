@@ -7,11 +7,16 @@
 
 namespace kriva::ui {
 
-/// The curves of a sheet: choose the active one, show and hide, rename, colour, add, duplicate, delete, reorder.
+class StyleEditor;
+
+/// The curves of a sheet: choose the active one, show and hide, rename, colour, style, add, duplicate, delete, reorder.
 class CurvesPanel : public QWidget {
     Q_OBJECT
   public:
     explicit CurvesPanel(SheetEditor& editor, QWidget* parent = nullptr);
+
+    /// Lets the name of the active curve be typed.
+    void beginRenaming();
 
   protected:
     void changeEvent(QEvent* event) override;
@@ -31,6 +36,8 @@ class CurvesPanel : public QWidget {
     QToolButton* up_;
     QToolButton* down_;
     QToolButton* color_;
+    QToolButton* style_;
+    StyleEditor* styleEditor_;
 };
 
 } // namespace kriva::ui

@@ -2,13 +2,9 @@
 
 #include "core/document/limits.h"
 #include "ui/panels/controls/number_field.h"
-#include "ui/panels/pasted_points.h"
 #include "ui/sheets/sheet_editor.h"
-#include "ui/shell/language/number_text.h"
 
-#include <QClipboard>
 #include <QEvent>
-#include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QStyledItemDelegate>
@@ -74,6 +70,13 @@ PointsPanel::PointsPanel(SheetEditor& editor, const std::vector<PointColumn>& co
     retranslateUi();
 }
 
+bool PointsPanel::event(QEvent* event) {
+    // The table's own key for editing a cell, which is that of renaming a curve elsewhere.
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_F2)
+        event->accept();
+    return QTableView::event(event);
+}
+
 void PointsPanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange)
         retranslateUi();
@@ -108,31 +111,10 @@ void PointsPanel::takeSelection() {
 }
 
 void PointsPanel::keyPressEvent(QKeyEvent* event) {
-    if (event->matches(QKeySequence::Copy))
-        copy();
-    else if (event->matches(QKeySequence::Paste))
-        paste();
-    else if (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace)
+    if (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace)
         editor_.removeSelected(event->modifiers().testFlag(Qt::ControlModifier) ? Removal::plain : Removal::refitted);
     else
         QTableView::keyPressEvent(event);
-}
-
-void PointsPanel::copy() const {
-    QStringList lines;
-    for (const int row : editor_.selectedPoints()) {
-        const Point point = model_.pointAt(row);
-        lines.append(formatNumber(point.x) + QLatin1Char('\t') + formatNumber(point.y));
-    }
-    QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
-}
-
-void PointsPanel::paste() {
-    const std::optional<Points> points = pastedPoints(QGuiApplication::clipboard()->text());
-    if (points)
-        editor_.addPoints(*points);
-    else
-        Q_EMIT editor_.hint({QT_TRANSLATE_NOOP("Hint", "The clipboard holds no table of two numbers in each line")});
 }
 
 } // namespace kriva::ui

@@ -14,6 +14,7 @@ class PointsPanel : public QTableView {
     PointsPanel(SheetEditor& editor, const std::vector<PointColumn>& columns, QWidget* parent = nullptr);
 
   protected:
+    bool event(QEvent* event) override;
     void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
@@ -21,8 +22,6 @@ class PointsPanel : public QTableView {
     void retranslateUi();
     void showSelection();
     void takeSelection();
-    void copy() const;
-    void paste();
 
     SheetEditor& editor_;
     PointsModel model_;

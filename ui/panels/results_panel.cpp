@@ -30,6 +30,13 @@ ResultsPanel::ResultsPanel(ShownSheet& sheet, const SheetRelations& relations, Q
     retranslateUi();
 }
 
+bool ResultsPanel::event(QEvent* event) {
+    // Who copies here means these rows and not the points.
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy))
+        event->accept();
+    return QTreeWidget::event(event);
+}
+
 void ResultsPanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange)
         retranslateUi();

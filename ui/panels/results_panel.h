@@ -16,6 +16,7 @@ class ResultsPanel : public QTreeView {
     ResultsPanel(ShownSheet& sheet, const SheetRelations& relations, QWidget* parent = nullptr);
 
   protected:
+    bool event(QEvent* event) override;
     void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;

@@ -4,6 +4,9 @@
 
 namespace kriva::ui {
 
+/// The grips moved so that one that stands at `from` stands at `to`, bit for bit.
+[[nodiscard]] Curve withGripsCarried(const Curve& curve, std::span<const GripId> ids, Point from, Point to);
+
 /// A drag on the canvas of one sheet: one of the begins, then any number of moves, then end or cancel. What it gives is
 /// computed from the curve as it was when the drag began.
 class SheetDrag {
@@ -17,8 +20,14 @@ class SheetDrag {
     void beginOnCurve(Serial serial, Point at);
     /// Of a point that is added at `at` to the active curve; both are one step.
     void beginAdding(Point at);
-    /// `by` is the whole way since the drag began.
-    void move(Vector by);
+    /// Where the point that was taken hold of would stand after the whole way `by` since the drag began; nothing where
+    /// what is dragged does not snap.
+    [[nodiscard]] std::optional<Point> snappingPlace(Vector by) const;
+    [[nodiscard]] Serial curve() const { return serial_; }
+    /// What moves, ascending.
+    [[nodiscard]] std::span<const GripId> moving() const { return grips_; }
+    /// `by` is the whole way since the drag began; `snapped`, where the point that was taken hold of comes to stand.
+    void move(Vector by, std::optional<Point> snapped = {});
     void end();
     void cancel();
 
@@ -27,7 +36,9 @@ class SheetDrag {
 
     SheetEditor& editor_;
     Curve start_;
+    Serial serial_ = 0;
     std::vector<GripId> grips_;
+    std::optional<Point> from_;     ///< where the point that was taken hold of stood
     std::optional<Point> pulledAt_; ///< where the curve itself is dragged
 };
 

@@ -1,6 +1,8 @@
 #include "ui/sheets/sheet_editor.h"
 
+#include "core/exchange/conversion.h"
 #include "ui/sheets/move_label.h"
+#include "ui/sheets/sheet_drag.h"
 
 #include <QCoreApplication>
 
@@ -9,24 +11,17 @@
 namespace kriva::ui {
 
 void SheetEditor::addPoint(Point at) {
-    addPoints(std::span(&at, 1));
-}
-
-void SheetEditor::addPoints(std::span<const Point> points) {
-    if (beginAdding(points))
+    if (beginAdding(at))
         document().endGesture();
 }
 
-bool SheetEditor::beginAdding(std::span<const Point> points) {
-    const StepLabel label = points.size() == 1 ? StepLabel{QT_TRANSLATE_NOOP("Step", "Add a point")}
-                                               : StepLabel{QT_TRANSLATE_NOOP("Step", "Add points")};
+bool SheetEditor::beginAdding(Point at) {
+    const StepLabel label{QT_TRANSLATE_NOOP("Step", "Add a point")};
     if (activeCurve())
         document().beginGesture(index(), activeSerial(), label);
     else if (!document().beginGestureWithNew(index(), 0, emptyCurve(index()), label))
         return false;
-    Curve curve = *activeCurve();
-    for (const Point at : points)
-        curve = withPointAdded(std::move(curve), at).curve;
+    Curve curve = withPointAdded(*activeCurve(), at).curve;
     const std::size_t count = pointCount(curve);
     document().preview(std::move(curve));
     if (pointCount(*activeCurve()) != count) {
@@ -35,6 +30,19 @@ bool SheetEditor::beginAdding(std::span<const Point> points) {
     }
     select({{activeSerial(), {GripKind::point, static_cast<int>(count) - 1}}});
     return true;
+}
+
+void SheetEditor::append(const Curve& points, const StepLabel& label) {
+    const Curve* curve = activeCurve();
+    const std::size_t before = curve ? pointCount(*curve) : 0;
+    const bool isDone = curve ? document().change(index(), activeSerial(), appended(*curve, points), label)
+                              : document().add(index(), 0, appended(emptyCurve(index()), points), label).has_value();
+    if (!isDone)
+        return;
+    Selection added;
+    for (std::size_t i = before; i < pointCount(*activeCurve()); ++i)
+        added.insert(added.end(), {activeSerial(), {GripKind::point, static_cast<int>(i)}});
+    select(std::move(added));
 }
 
 void SheetEditor::insertPoint(Serial serial, Point near) {
@@ -51,17 +59,18 @@ void SheetEditor::insertPoint(Serial serial, Point near) {
         selectMapped(selected, serial, edited->map);
 }
 
-void SheetEditor::removePoints(Serial serial, const std::vector<int>& indices, Removal removal) {
+void SheetEditor::removePoints(Serial serial, const std::vector<int>& indices, Removal removal,
+                               const std::optional<StepLabel>& label) {
     const Curve* curve = document().find(index(), serial);
     if (!curve || indices.empty())
         return;
     const Curve before = *curve;
     Refitted<Curve> refitted = removal == Removal::refitted ? withPointsRemovedRefitted(before, indices)
                                                             : Refitted<Curve>{withPointsRemoved(before, indices), {}};
-    const StepLabel label = indices.size() == 1 ? StepLabel{QT_TRANSLATE_NOOP("Step", "Remove point %1"), indices[0]}
+    const StepLabel usual = indices.size() == 1 ? StepLabel{QT_TRANSLATE_NOOP("Step", "Remove point %1"), indices[0]}
                                                 : StepLabel{QT_TRANSLATE_NOOP("Step", "Remove points")};
     const Selection selected = selection(); // the change drops what lies beyond the end; the map knows where it went
-    if (document().change(index(), serial, std::move(refitted.edited.curve), label)) {
+    if (document().change(index(), serial, std::move(refitted.edited.curve), label.value_or(usual))) {
         selectMapped(selected, serial, refitted.edited.map);
         tellRemoval(before, *document().find(index(), serial), refitted.deviation);
     }
@@ -89,13 +98,7 @@ void SheetEditor::placePoint(int index, Point at) {
     if (!curve)
         return;
     const GripId id{GripKind::point, index};
-    const std::span ids(&id, 1);
-    const Point from = pointAt(*curve, index);
-    // What is typed arrives bit for bit by way of zero: x - x + to is `to`, x + (to - x) need not be.
-    const bool changesX = at.x != from.x;
-    const bool changesY = at.y != from.y;
-    const Curve atZero = withGripsMoved(*curve, ids, {changesX ? -from.x : 0, changesY ? -from.y : 0});
-    change(withGripsMoved(atZero, ids, {changesX ? at.x : 0, changesY ? at.y : 0}), moveLabel(id));
+    change(withGripsCarried(*curve, std::span(&id, 1), pointAt(*curve, index), at), moveLabel(id));
 }
 
 void SheetEditor::nudge(Vector by) {
@@ -124,8 +127,11 @@ void SheetEditor::reverse() {
 }
 
 void SheetEditor::newCurve() {
-    document().add(index(), static_cast<int>(sheet().curves.size()), emptyCurve(index()),
-                   {QT_TRANSLATE_NOOP("Step", "New curve")});
+    addCurve(emptyCurve(index()), {QT_TRANSLATE_NOOP("Step", "New curve")});
+}
+
+void SheetEditor::addCurve(Curve curve, const StepLabel& label) {
+    document().add(index(), static_cast<int>(sheet().curves.size()), std::move(curve), label);
 }
 
 void SheetEditor::duplicateCurve(Serial serial) {
@@ -135,7 +141,11 @@ void SheetEditor::duplicateCurve(Serial serial) {
 }
 
 void SheetEditor::deleteCurve(Serial serial) {
-    document().remove(index(), serial, {QT_TRANSLATE_NOOP("Step", "Delete the curve")});
+    deleteCurve(serial, {QT_TRANSLATE_NOOP("Step", "Delete the curve")});
+}
+
+void SheetEditor::deleteCurve(Serial serial, const StepLabel& label) {
+    document().remove(index(), serial, label);
 }
 
 void SheetEditor::renameCurve(Serial serial, const QString& name) {
@@ -144,13 +154,9 @@ void SheetEditor::renameCurve(Serial serial, const QString& name) {
                           {QT_TRANSLATE_NOOP("Step", "Rename the curve")});
 }
 
-void SheetEditor::colorCurve(Serial serial, Color color) {
-    const Curve* curve = document().find(index(), serial);
-    if (!curve)
-        return;
-    CurveStyle style = styleOf(*curve);
-    style.color = color;
-    document().change(index(), serial, withStyle(*curve, style), {QT_TRANSLATE_NOOP("Step", "Colour the curve")});
+void SheetEditor::styleCurve(Serial serial, const CurveStyle& style, const StepLabel& label) {
+    if (const Curve* curve = document().find(index(), serial))
+        document().changeInBurst(index(), serial, withStyle(*curve, style), label);
 }
 
 void SheetEditor::moveCurve(Serial serial, int to) {
@@ -163,6 +169,19 @@ void SheetEditor::activateNextCurve() {
     if (!serials.empty())
         document().setActiveCurve(index(),
                                   serials[static_cast<std::size_t>(sheet().view.activeCurve + 1) % serials.size()]);
+}
+
+void SheetEditor::usePointsIn(SheetIndex other) {
+    const Curve* curve = activeCurve();
+    if (!curve || other == index())
+        return;
+    const int last = static_cast<int>(document().sheet(other).curves.size());
+    if (document().add(other, last, converted(*curve, other), {QT_TRANSLATE_NOOP("Step", "Use the points of a tab")}))
+        document().setActiveSheet(other);
+}
+
+void SheetEditor::setActiveCurveShown(bool isShown) {
+    document().setCurveShown(index(), activeSerial(), isShown);
 }
 
 void SheetEditor::clear() {

@@ -14,13 +14,15 @@ class SheetEditor : public ShownSheet {
 
     // Points.
     void addPoint(Point at);
-    /// At the end of the active curve, in one step.
-    void addPoints(std::span<const Point> points);
-    /// The same as a gesture that goes on, with the last of the points selected; false where they are refused.
-    bool beginAdding(std::span<const Point> points);
+    /// At the end of the active curve, as a gesture that goes on, with the point selected; false where it is refused.
+    bool beginAdding(Point at);
+    /// The points of a curve of this sheet behind those of the active one, in one step; they are selected.
+    void append(const Curve& points, const StepLabel& label);
     /// One point more near a place of the curve, which keeps its shape.
     void insertPoint(Serial serial, Point near);
-    void removePoints(Serial serial, const std::vector<int>& indices, Removal removal);
+    /// Without a label the step says which point goes.
+    void removePoints(Serial serial, const std::vector<int>& indices, Removal removal,
+                      const std::optional<StepLabel>& label = {});
     void removeSelected(Removal removal);
     void removeLastPoint();
     /// A point of the active curve, placed by typing.
@@ -35,12 +37,19 @@ class SheetEditor : public ShownSheet {
 
     // Curves.
     void newCurve();
+    /// Above the others.
+    void addCurve(Curve curve, const StepLabel& label);
     void duplicateCurve(Serial serial);
     void deleteCurve(Serial serial);
+    void deleteCurve(Serial serial, const StepLabel& label);
     void renameCurve(Serial serial, const QString& name);
-    void colorCurve(Serial serial, Color color);
+    /// Steps of the same kind that follow each other closely become one.
+    void styleCurve(Serial serial, const CurveStyle& style, const StepLabel& label);
     void moveCurve(Serial serial, int to);
     void activateNextCurve();
+    /// The active curve's points as a new curve of another sheet, a step of that sheet, which is then shown.
+    void usePointsIn(SheetIndex other);
+    void setActiveCurveShown(bool isShown);
     /// Deletes all curves in one step.
     void clear();
 

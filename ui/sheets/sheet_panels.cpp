@@ -93,6 +93,11 @@ void SheetPanels::show(const char* name) {
     }
 }
 
+void SheetPanels::beginRenaming() {
+    show("curves");
+    static_cast<CurvesPanel*>(panels_.front().dock->widget())->beginRenaming();
+}
+
 void SheetPanels::retranslateUi() {
     for (const Panel& panel : panels_)
         panel.dock->setWindowTitle(QCoreApplication::translate("SheetPanels", panel.title));

@@ -26,6 +26,8 @@ class SheetPanels {
     void reset();
     /// Brings a panel to the front and gives it the focus; `name` is that of its dock.
     void show(const char* name);
+    /// Lets the name of the active curve be typed in the panel of curves, which comes into sight.
+    void beginRenaming();
     void retranslateUi();
 
   private:

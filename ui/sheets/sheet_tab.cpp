@@ -17,10 +17,11 @@ SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, 
     : QMainWindow(parent)
     , editor_(document, sheet)
     , canvas_(new CanvasView(*this, this))
+    , ruled_(new RuledCanvas(canvas_, this))
     , panels_(*this, editor_, relations_, ui) {
     setWindowFlags(Qt::Widget); // a main window inside another: for its docks only
     setDockNestingEnabled(true);
-    setCentralWidget(canvas_);
+    setCentralWidget(ruled_);
 
     connect(&document, &OpenDocument::replaced, this, [this] {
         showAllCurves();
@@ -103,12 +104,29 @@ void SheetTab::updateCurve(Serial serial) {
     canvas_->updateCurve(canvasCurve(serial));
 }
 
+Point SheetTab::snapped(Point at) const {
+    const std::optional<Snap> snap = isSnapping_ ? canvas_->snapOf({.at = at}) : std::nullopt;
+    return snap ? snap->at : at;
+}
+
+std::optional<Snap> SheetTab::snapOfDrag(Vector by, Qt::KeyboardModifiers modifiers) {
+    const bool isShift = modifiers.testFlag(Qt::ShiftModifier);
+    mayShiftSwitch_ = mayShiftSwitch_ || !isShift;
+    const std::optional<Point> place = drag_.snappingPlace(by);
+    const bool isMoved = by != Vector{}; // back home is home, on the grid or not
+    if (!isSnapping_ || !place || !isMoved || (isShift && mayShiftSwitch_))
+        return {};
+    const bool isLocked = modifiers.testFlag(Qt::ControlModifier);
+    const Freedom freedom = !isLocked ? Freedom::both : by.y == 0 ? Freedom::x : Freedom::y;
+    return canvas_->snapOf({*place, freedom, drag_.curve(), drag_.moving()});
+}
+
 void SheetTab::addPoint(Point at) {
-    editor_.addPoint(at);
+    editor_.addPoint(snapped(at));
 }
 
 void SheetTab::addPointOn(GripRef, Point at) {
-    editor_.addPoint(at);
+    editor_.addPoint(snapped(at));
 }
 
 void SheetTab::insertPoint(Serial curve, Point at) {
@@ -139,11 +157,13 @@ void SheetTab::activateCurve(Serial curve) {
 
 void SheetTab::beginDrag(GripRef grip) {
     activateCurve(grip.serial);
+    mayShiftSwitch_ = false;
     drag_.begin(grip);
 }
 
 void SheetTab::beginAddDrag(Point at) {
-    drag_.beginAdding(at);
+    mayShiftSwitch_ = false;
+    drag_.beginAdding(snapped(at));
 }
 
 void SheetTab::beginCurveDrag(Serial curve, Point at) {
@@ -151,15 +171,19 @@ void SheetTab::beginCurveDrag(Serial curve, Point at) {
     drag_.beginOnCurve(curve, at);
 }
 
-void SheetTab::drag(Vector by, Qt::KeyboardModifiers) {
-    drag_.move(by);
+void SheetTab::drag(Vector by, Qt::KeyboardModifiers modifiers) {
+    const std::optional<Snap> snap = snapOfDrag(by, modifiers);
+    canvas_->showSnap(snap);
+    drag_.move(by, snap ? std::optional(snap->at) : std::nullopt);
 }
 
 void SheetTab::endDrag() {
+    canvas_->showSnap({});
     drag_.end();
 }
 
 void SheetTab::cancelDrag() {
+    canvas_->showSnap({});
     drag_.cancel();
 }
 
@@ -167,7 +191,9 @@ void SheetTab::nudge(Vector by) {
     editor_.nudge(by);
 }
 
-void SheetTab::hover(const Hit& under, Point, Qt::KeyboardModifiers modifiers) {
+void SheetTab::hover(const Hit& under, Point at, Qt::KeyboardModifiers modifiers) {
+    const bool wouldAdd = isSnapping_ && canvas_->tool() == Tool::add && !under.curve;
+    canvas_->showSnap(wouldAdd ? canvas_->snapOf({.at = at}) : std::nullopt);
     Q_EMIT hintChanged(hintText(under, modifiers, canvas_->tool()));
 }
 

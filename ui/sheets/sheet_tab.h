@@ -2,6 +2,7 @@
 
 #include "ui/canvas/canvas_client.h"
 #include "ui/canvas/canvas_view.h"
+#include "ui/canvas/rulers/ruled_canvas.h"
 #include "ui/sheets/results/sheet_relations.h"
 #include "ui/sheets/sheet_drag.h"
 #include "ui/sheets/sheet_editor.h"
@@ -22,6 +23,9 @@ class SheetTab : public QMainWindow, private CanvasClient {
     [[nodiscard]] CanvasView& canvas() { return *canvas_; }
     [[nodiscard]] SheetEditor& editor() { return editor_; }
     [[nodiscard]] SheetPanels& panels() { return panels_; }
+    void setRulersShown(bool areShown) { ruled_->setRulersShown(areShown); }
+    /// Whether points that are dragged or added snap.
+    void setSnapping(bool isSnapping) { isSnapping_ = isSnapping; }
 
   Q_SIGNALS:
     /// A text for the status row about what lies under the pointer; empty where there is nothing to say.
@@ -59,12 +63,19 @@ class SheetTab : public QMainWindow, private CanvasClient {
     /// document sets the scale.
     void followPage();
     void updateCurve(Serial serial);
+    /// To where a new point comes that is asked for at `at`.
+    [[nodiscard]] Point snapped(Point at) const;
+    [[nodiscard]] std::optional<Snap> snapOfDrag(Vector by, Qt::KeyboardModifiers modifiers);
 
     SheetEditor editor_;
     SheetDrag drag_{editor_};
     SheetRelations relations_{editor_};
     CanvasView* canvas_;
+    RuledCanvas* ruled_;
     SheetPanels panels_;
+    bool isSnapping_ = false;
+    /// Shift switches snapping off only when it is pressed during a drag; before, it added to the selection.
+    bool mayShiftSwitch_ = false;
 };
 
 } // namespace kriva::ui

@@ -22,6 +22,10 @@ Actions::Actions(QWidget* window)
     redo = make("redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z),
                 IconName::Redo);
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    cut = make("cut", QT_TRANSLATE_NOOP("Actions", "Cu&t"), QKeySequence(Qt::CTRL | Qt::Key_X));
+    copy = make("copy", QT_TRANSLATE_NOOP("Actions", "Co&py"), QKeySequence::Copy);
+    paste = make("paste", QT_TRANSLATE_NOOP("Actions", "Pa&ste"), QKeySequence::Paste);
+    duplicate = make("duplicate", QT_TRANSLATE_NOOP("Actions", "Duplicat&e"), QKeySequence(Qt::CTRL | Qt::Key_D));
     deleteSelected = make("deleteSelected", QT_TRANSLATE_NOOP("Actions", "&Delete"), {}, IconName::Delete);
     deleteLastPoint = make("deleteLastPoint", QT_TRANSLATE_NOOP("Actions", "Delete &last point"));
     clearCanvas = make("clearCanvas", QT_TRANSLATE_NOOP("Actions", "&Clear the canvas"));
@@ -32,11 +36,16 @@ Actions::Actions(QWidget* window)
                          QKeySequence(Qt::CTRL | Qt::Key_I));
 
     newCurve = make("newCurve", QT_TRANSLATE_NOOP("Actions", "&New curve"), {}, IconName::AddPoint);
-    duplicateCurve = make("duplicateCurve", QT_TRANSLATE_NOOP("Actions", "&Duplicate the curve"),
-                          QKeySequence(Qt::CTRL | Qt::Key_D), IconName::Duplicate);
+    duplicateCurve =
+        make("duplicateCurve", QT_TRANSLATE_NOOP("Actions", "&Duplicate the curve"), {}, IconName::Duplicate);
     deleteCurve = make("deleteCurve", QT_TRANSLATE_NOOP("Actions", "De&lete the curve"));
     nextCurve = make("nextCurve", QT_TRANSLATE_NOOP("Actions", "Ne&xt curve"));
     reverseCurve = make("reverseCurve", QT_TRANSLATE_NOOP("Actions", "&Reverse"));
+
+    renameCurve = make("renameCurve", QT_TRANSLATE_NOOP("Actions", "Rena&me"), QKeySequence(Qt::Key_F2));
+    moveCurveUp = make("moveCurveUp", QT_TRANSLATE_NOOP("Actions", "Move &up in the list"), {}, IconName::Up);
+    moveCurveDown = make("moveCurveDown", QT_TRANSLATE_NOOP("Actions", "Move do&wn in the list"), {}, IconName::Down);
+    showCurve = makeToggle("showCurve", QT_TRANSLATE_NOOP("Actions", "&Show the curve"));
 
     editTool = makeToggle("editTool", QT_TRANSLATE_NOOP("Actions", "&Edit tool"), {}, IconName::Edit);
     addTool = makeToggle("addTool", QT_TRANSLATE_NOOP("Actions", "&Add tool"), {}, IconName::AddPoint);
@@ -51,6 +60,9 @@ Actions::Actions(QWidget* window)
     fitSelection = make("fitSelection", QT_TRANSLATE_NOOP("Actions", "Fit &selection"));
     grid = makeToggle("grid", QT_TRANSLATE_NOOP("Actions", "&Grid"), {}, IconName::Grid);
     axes = makeToggle("axes", QT_TRANSLATE_NOOP("Actions", "A&xes"));
+    rulers = makeToggle("rulers", QT_TRANSLATE_NOOP("Actions", "Ru&lers"), QKeySequence(Qt::CTRL | Qt::Key_R));
+    snap = makeToggle("snap", QT_TRANSLATE_NOOP("Actions", "S&nap"), QKeySequence(Qt::Key_N));
+    snap->setShortcutContext(Qt::WidgetShortcut); // a letter: of the canvases alone, which know it by its place
     resetPanels = make("resetPanels", QT_TRANSLATE_NOOP("Actions", "&Reset panels"));
     showHistory = make("showHistory", QT_TRANSLATE_NOOP("Actions", "S&how the history"),
                        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H));

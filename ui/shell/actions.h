@@ -27,6 +27,10 @@ class Actions : public QObject {
     // Edit
     QAction* undo;
     QAction* redo;
+    QAction* cut;
+    QAction* copy;
+    QAction* paste;
+    QAction* duplicate;
     QAction* deleteSelected;
     QAction* deleteLastPoint;
     QAction* clearCanvas;
@@ -39,6 +43,10 @@ class Actions : public QObject {
     QAction* deleteCurve;
     QAction* nextCurve;
     QAction* reverseCurve;
+    QAction* renameCurve;
+    QAction* moveCurveUp;
+    QAction* moveCurveDown;
+    QAction* showCurve;
     // View
     QAction* editTool;
     QAction* addTool;
@@ -49,6 +57,8 @@ class Actions : public QObject {
     QAction* fitSelection;
     QAction* grid;
     QAction* axes;
+    QAction* rulers;
+    QAction* snap;
     QAction* resetPanels;
     QAction* showHistory;
     QAction* fullScreen;

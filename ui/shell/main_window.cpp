@@ -4,11 +4,11 @@
 #include "ui/shell/about_dialog.h"
 #include "ui/shell/actions.h"
 #include "ui/shell/document_session.h"
-#include "ui/shell/export_figure.h"
 #include "ui/shell/language/qt_texts.h"
 #include "ui/shell/menus.h"
 #include "ui/shell/preferences.h"
 #include "ui/shell/status_row.h"
+#include "ui/shell/tab_actions.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -41,6 +41,8 @@ MainWindow::MainWindow(const Surroundings& surroundings)
     connectActions();
     connectEditActions();
     connectViewActions();
+    const auto* tabActions = new TabActions(*this, *actions_, *menus_, surroundings_.preferences);
+    connect(tabActions, &TabActions::told, status_, &StatusRow::tell);
     menus_->setRecentFiles(surroundings_.preferences.recentFiles());
     menus_->setLanguage(surroundings_.language.language());
     menus_->setThemeChoice(surroundings_.theme.theme());
@@ -87,7 +89,6 @@ void MainWindow::connectActions() {
     connect(actions_->open, &QAction::triggered, session_, &DocumentSession::open);
     connect(actions_->save, &QAction::triggered, session_, &DocumentSession::save);
     connect(actions_->saveAs, &QAction::triggered, session_, &DocumentSession::saveAs);
-    connect(actions_->exportFigure, &QAction::triggered, this, &MainWindow::exportFigure);
     connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
     connect(actions_->about, &QAction::triggered, this, &MainWindow::showAbout);
     connect(actions_->aboutQt, &QAction::triggered, qApp, &QApplication::aboutQt);
@@ -170,14 +171,17 @@ void MainWindow::changeEvent(QEvent* event) {
 
 void MainWindow::retranslateUi() {
     tabWidget_->setAccessibleName(tr("Sheets"));
-    for (std::size_t i = 0; i < tabs_.size(); ++i)
-        tabWidget_->setTabText(static_cast<int>(i),
-                               QCoreApplication::translate("Sheet", surroundings_.sheets[i].title));
+    for (SheetIndex sheet = 0; sheet < tabs_.size(); ++sheet)
+        tabWidget_->setTabText(static_cast<int>(sheet), sheetTitle(sheet));
     actions_->retranslateUi();
     menus_->retranslateUi();
     renameQtButtons(*this);
     setWindowTitle(QStringLiteral("%1[*] – Kriva").arg(session_->name()));
     followHistory();
+}
+
+QString MainWindow::sheetTitle(SheetIndex sheet) const {
+    return QCoreApplication::translate("Sheet", surroundings_.sheets[sheet].title);
 }
 
 void MainWindow::followTab() {
@@ -211,11 +215,6 @@ void MainWindow::followSelection() {
 void MainWindow::showTheme() {
     for (SheetTab* tab : tabs_)
         tab->canvas().setTheme(surroundings_.theme.isDark() ? Theme::dark : Theme::light);
-}
-
-void MainWindow::exportFigure() {
-    document_.endGesture();
-    ui::exportFigure(currentTab().editor(), session_->name(), this);
 }
 
 void MainWindow::showAbout() {

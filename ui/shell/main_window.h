@@ -31,6 +31,8 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] OpenDocument& document() { return document_; }
     [[nodiscard]] DocumentSession& session() { return *session_; }
     [[nodiscard]] SheetTab& tab(SheetIndex sheet) { return *tabs_[sheet]; }
+    /// In the present language.
+    [[nodiscard]] QString sheetTitle(SheetIndex sheet) const;
     [[nodiscard]] SheetTab& currentTab() { return *tabs_[document_.value().active]; }
 
   protected:
@@ -47,7 +49,6 @@ class MainWindow : public QMainWindow {
     void followHistory();
     void followSelection();
     void showTheme();
-    void exportFigure();
     void showAbout();
 
     Surroundings surroundings_;

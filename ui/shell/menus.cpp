@@ -52,15 +52,21 @@ void Menus::fillEdit(const Actions& actions) {
     QMenu* edit = add(nullptr, QT_TRANSLATE_NOOP("Menus", "&Edit"));
     edit->addActions({actions.undo, actions.redo});
     edit->addSeparator();
+    edit->addActions({actions.cut, actions.copy, actions.paste, actions.duplicate});
+    edit->addSeparator();
     edit->addActions({actions.deleteSelected, actions.deleteLastPoint, actions.clearCanvas});
     edit->addSeparator();
     edit->addActions({actions.selectAll, actions.selectNone, actions.selectInverse});
 }
 
 void Menus::fillCurve(const Actions& actions) {
-    add(nullptr, QT_TRANSLATE_NOOP("Menus", "&Curve"))
-        ->addActions(
-            {actions.newCurve, actions.nextCurve, actions.duplicateCurve, actions.deleteCurve, actions.reverseCurve});
+    QMenu* curve = add(nullptr, QT_TRANSLATE_NOOP("Menus", "&Curve"));
+    curve->addActions(
+        {actions.newCurve, actions.nextCurve, actions.duplicateCurve, actions.deleteCurve, actions.reverseCurve});
+    curve->addSeparator();
+    curve->addActions({actions.renameCurve, actions.showCurve, actions.moveCurveUp, actions.moveCurveDown});
+    curve->addSeparator();
+    otherSheets_ = add(curve, QT_TRANSLATE_NOOP("Menus", "Use these &points in"));
 }
 
 void Menus::fillView(const Actions& actions) {
@@ -69,7 +75,7 @@ void Menus::fillView(const Actions& actions) {
     view->addSeparator();
     view->addActions({actions.zoomIn, actions.zoomOut, actions.zoomTo100, actions.fitAll, actions.fitSelection});
     view->addSeparator();
-    view->addActions({actions.grid, actions.axes});
+    view->addActions({actions.grid, actions.axes, actions.rulers, actions.snap});
     view->addSeparator();
     panels_ = add(view, QT_TRANSLATE_NOOP("Menus", "&Panels"));
     resetPanels_ = actions.resetPanels;
@@ -142,6 +148,14 @@ void Menus::setPanels(const QList<QAction*>& panels) {
     panels_->addActions(panels);
     panels_->addSeparator();
     panels_->addAction(resetPanels_);
+}
+
+void Menus::setOtherSheets(const std::vector<std::pair<SheetIndex, QString>>& sheets) {
+    otherSheets_->clear();
+    for (const auto& [sheet, name] : sheets) {
+        QAction* action = otherSheets_->addAction(name);
+        connect(action, &QAction::triggered, this, [this, sheet = sheet] { Q_EMIT otherSheetChosen(sheet); });
+    }
 }
 
 void Menus::retranslateUi() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/document/document.h"
 #include "ui/shell/language/language.h"
 #include "ui/shell/look/theme.h"
 
@@ -22,9 +23,14 @@ class Menus : public QObject {
     void setThemeChoice(ThemeChoice choice);
     /// The panels of the shown tab.
     void setPanels(const QList<QAction*>& panels);
+    /// The other tabs, to which the points of a curve can go.
+    void setOtherSheets(const std::vector<std::pair<SheetIndex, QString>>& sheets);
+    /// Whether there is a curve whose points could go there.
+    void setHasCurve(bool hasCurve) { otherSheets_->setEnabled(hasCurve); }
     void retranslateUi();
 
   Q_SIGNALS:
+    void otherSheetChosen(kriva::SheetIndex sheet);
     void recentFileChosen(const QString& path);
     void exampleChosen(const QString& resource);
     void languageChosen(kriva::ui::Language language);
@@ -56,6 +62,7 @@ class Menus : public QObject {
     std::vector<QAction*> languages_;
     QMenu* recent_ = nullptr;
     QMenu* panels_ = nullptr;
+    QMenu* otherSheets_ = nullptr;
     QAction* resetPanels_ = nullptr;
 };
 

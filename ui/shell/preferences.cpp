@@ -15,10 +15,14 @@ constexpr qsizetype kMostRecentFiles = 10;
 const auto kLanguage = u"language"_s;
 const auto kTheme = u"theme"_s;
 const auto kRecentFiles = u"recentFiles"_s;
+const auto kSnap = u"canvas/snap"_s;
+const auto kRulers = u"canvas/rulers"_s;
 const auto kWindowGeometry = u"window/geometry"_s;
 const auto kLightTheme = u"light"_s;
 const auto kDarkTheme = u"dark"_s;
 const auto kSystemTheme = u"system"_s;
+const auto kOn = u"on"_s;
+const auto kOff = u"off"_s;
 
 [[nodiscard]] QString layoutKey(const QString& tab) {
     return u"panels/%1"_s.arg(tab);
@@ -73,6 +77,22 @@ void Preferences::removeRecentFile(const QString& path) {
 
 void Preferences::clearRecentFiles() {
     settings_.remove(kRecentFiles);
+}
+
+bool Preferences::isSnapping() const {
+    return settings_.value(kSnap).toString() == kOn;
+}
+
+void Preferences::setSnapping(bool isSnapping) {
+    settings_.setValue(kSnap, isSnapping ? kOn : kOff);
+}
+
+bool Preferences::areRulersShown() const {
+    return settings_.value(kRulers).toString() == kOn;
+}
+
+void Preferences::setRulersShown(bool areShown) {
+    settings_.setValue(kRulers, areShown ? kOn : kOff);
 }
 
 QByteArray Preferences::windowGeometry() const {

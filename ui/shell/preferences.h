@@ -30,6 +30,12 @@ class Preferences {
     void removeRecentFile(const QString& path);
     void clearRecentFiles();
 
+    /// Whether points snap, and whether canvases have rulers; at first neither.
+    [[nodiscard]] bool isSnapping() const;
+    void setSnapping(bool isSnapping);
+    [[nodiscard]] bool areRulersShown() const;
+    void setRulersShown(bool areShown);
+
     /// Place and size of the window, as QWidget::saveGeometry() gives them; empty at first.
     [[nodiscard]] QByteArray windowGeometry() const;
     void setWindowGeometry(const QByteArray& geometry);

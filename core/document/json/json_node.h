@@ -101,6 +101,12 @@ Value JsonNode::oneOf(std::initializer_list<std::pair<std::string_view, Value>> 
     refuse(FileProblem::expectedOneOf, {}, words);
 }
 
+/// The word of a value in such a table, where it must be.
+template <class Value>
+std::string_view wordOf(Value value, std::initializer_list<std::pair<std::string_view, Value>> table) {
+    return std::ranges::find(table, value, &std::pair<std::string_view, Value>::second)->first;
+}
+
 template <class Visit>
 void JsonNode::forEachElement(Visit visit) const {
     if (entry().kind != JsonKind::list)

@@ -113,26 +113,30 @@ TEST_F(PointsPanelTest, aPastedTableIsOneStep) {
     for (const char* lines : {"0,5\t1\n2\t-0,25\n", "0.5; 1\n2; -0.25", "0.5,1\r\n2,-0.25\r\n"}) {
         paste(lines);
         EXPECT_EQ(text(5, PointsModel::kY), QStringLiteral("-0.25"));
-        expectOneStep("Add points", before, after);
+        expectOneStep("Paste points", before, after);
     }
 }
 
 TEST_F(PointsPanelTest, aTablePastedIntoAnEmptySheetIsOneStep) {
     open({});
     paste("1\t2\n3\t4");
-    EXPECT_EQ(steps(), QStringList(QStringLiteral("Add points")));
+    EXPECT_EQ(steps(), QStringList(QStringLiteral("Paste points")));
     EXPECT_EQ(value<ElevationCurve>().points, (Points{{1, 2}, {3, 4}}));
-    EXPECT_EQ(markedRows(), std::vector<int>{1});
+    EXPECT_EQ(markedRows(), (std::vector<int>{0, 1}));
     document().undo();
     EXPECT_EQ(editor().activeCurve(), nullptr);
 }
 
-TEST_F(PointsPanelTest, aRefusedPasteChangesNothingAndIsTold) {
-    const QSignalSpy hints(&editor(), &SheetEditor::hint);
+TEST_F(PointsPanelTest, aRefusedPasteChangesNothing) {
     for (const char* lines : {"", "hello", "1\t2\t3", "1\t2\nthree\t4", "2e9\t0"})
         paste(lines);
-    EXPECT_EQ(hints.count(), 5);
     expectNoStep(before);
+}
+
+TEST_F(PointsPanelTest, f2EditsItsCellAndNotTheNameOfTheCurve) {
+    clickRow(1);
+    QTest::keyClick(&table, Qt::Key_F2);
+    EXPECT_NE(table.viewport()->findChild<QLineEdit*>(), nullptr);
 }
 
 TEST_F(PointsPanelTest, moreThanTheCurveHasRoomForIsRefused) {

@@ -67,6 +67,25 @@ TEST(CombinedEdits, aNewLastPointTouchesNoPair) {
     EXPECT_EQ(edited.map(2), 2);
 }
 
+TEST(CombinedEdits, appendedPointsBringTheCorrectionsOfTheirPairs) {
+    CombinedCurve other = corrected(3);
+    other.corrections = {{0, {9, 9}}, {7, {1, 1}}}; // pairs that it does not have come from nowhere good
+    CombinedCurve curve = corrected(3);
+    curve.corrections = {{1, {8, 8}}};
+    const CombinedCurve both = appended(curve, other);
+    EXPECT_EQ(both.points.size(), curve.points.size() + other.points.size());
+    EXPECT_THAT(both.corrections,
+                ElementsAre(Pair(1, Point{8, 8}), Pair(static_cast<int>(curve.points.size()), Point{9, 9})));
+}
+
+TEST(CombinedEdits, theFirstPointsDropCorrectionsOfPairsThatDoNotCome) {
+    CombinedCurve curve;
+    curve.corrections = {{0, {9, 9}}, {5, {1, 1}}};
+    const Points points{{0, 0}, {1, 1}};
+    EXPECT_THAT(withPointsAdded(curve, points).corrections, ElementsAre(Pair(0, Point{9, 9})));
+    EXPECT_EQ(withPointsAdded(curve, {}), curve);
+}
+
 TEST(CombinedEdits, middlePointsOfPairsAreGrips) {
     CombinedCurve curve;
     curve.points = {{-1, 1}, {0, 0}, {1, 1}, {0, 3}};

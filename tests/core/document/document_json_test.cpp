@@ -139,6 +139,9 @@ TEST(ReadDocument, refusesStylesAndViewsItDoesNotKnow) {
         {R"({"style":{"color":0}})", FileProblem::expectedText, "style.color"},
         {R"({"style":{"width":0}})", FileProblem::numberOutOfRange, "style.width"},
         {R"({"style":{"width":20.5}})", FileProblem::numberOutOfRange, "style.width"},
+        {R"({"style":{"dash":"wavy"}})", FileProblem::expectedOneOf, "style.dash"},
+        {R"({"style":{"marker":"ring"}})", FileProblem::expectedOneOf, "style.marker"},
+        {R"({"style":{"labels":0}})", FileProblem::expectedTrueOrFalse, "style.labels"},
         {R"({"view":{"shown":1}})", FileProblem::expectedTrueOrFalse, "view.shown"},
         {R"({"view":{"hidden":true}})", FileProblem::unknownKey, "view.hidden"},
     };

@@ -63,5 +63,19 @@ TEST(Figure, polylineOfOnePointHasNoPiece) {
     EXPECT_TRUE(polyline(Points{}).points.empty());
 }
 
+TEST(Figure, aStyleChangesTheMarksOfPointsAloneAndTakesLabelsAway) {
+    const Layer layer{
+        "points", {}, {{{{0, 0}}, Role::point}, {{{1, 1}}, Role::handle}}, {Label{{0, 0}, Caption::none, "b", ""}}};
+    CurveStyle style;
+    style.marker = Marker::square;
+    EXPECT_EQ(styled({{layer}}, {}), (Figure{{layer}}));
+    Figure figure = styled({{layer}}, style);
+    EXPECT_EQ(figure.layers[0].marks[0].marker, Marker::square);
+    EXPECT_EQ(figure.layers[0].marks[1].marker, std::nullopt);
+    EXPECT_EQ(figure.layers[0].labels.size(), 1u);
+    style.hasLabels = false;
+    EXPECT_TRUE(styled({{layer}}, style).layers[0].labels.empty());
+}
+
 } // namespace
 } // namespace kriva

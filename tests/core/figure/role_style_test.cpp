@@ -80,5 +80,36 @@ TEST(RoleStyle, followsTheStyleOfItsCurve) {
     EXPECT_EQ(styleOf(stroke, Theme::light).width, 4.5);
 }
 
+TEST(RoleStyle, takesTheDashesOfItsCurve) {
+    Stroke stroke;
+    EXPECT_TRUE(styleOf(stroke, Theme::light).dashes.empty());
+    stroke.style.dash = LineDash::dashDot;
+    EXPECT_EQ(styleOf(stroke, Theme::light).dashes.size(), 4u);
+    stroke.role = Role::derivedPolygon;
+    stroke.style.dash = LineDash::solid;
+    EXPECT_TRUE(styleOf(stroke, Theme::light).dashes.empty());
+}
+
+TEST(RoleStyle, dashesOfAWideLineKeepTheirGaps) {
+    Stroke stroke;
+    stroke.style.dash = LineDash::dotted;
+    const std::vector<double> thin = styleOf(stroke, Theme::light).dashes;
+    stroke.style.width = kMostWidth;
+    const std::vector<double> wide = styleOf(stroke, Theme::light).dashes;
+    ASSERT_EQ(wide.size(), thin.size());
+    for (std::size_t i = 0; i < wide.size(); ++i)
+        EXPECT_DOUBLE_EQ(wide[i], 10 * thin[i]);
+}
+
+TEST(RoleStyle, takesTheShapeOfMarksFromTheirCurve) {
+    Marks marks;
+    const RoleStyle usual = styleOf(marks, Theme::light);
+    EXPECT_EQ(usual.marker, Marker::circle);
+    marks.marker = Marker::diamond;
+    const RoleStyle chosen = styleOf(marks, Theme::light);
+    EXPECT_EQ(chosen.marker, Marker::diamond);
+    EXPECT_EQ(chosen.markerSize, usual.markerSize);
+}
+
 } // namespace
 } // namespace kriva

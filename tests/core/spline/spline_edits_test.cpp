@@ -125,6 +125,27 @@ TEST(SplinePointAdded, completesTheHandleOfAKnotThatWasTheLast) {
     EXPECT_EQ(withPointAdded(curve, {6, 0}).curve.knots[1].out, (Point{4, 3}));
 }
 
+RC_GTEST_PROP(SplineAppended, keepsTheKnotsOfBoth, ()) {
+    const SplineCurve curve = anySpline();
+    const SplineCurve other = anySpline();
+    const SplineCurve both = appended(curve, other);
+    RC_ASSERT(both.knots.size() == curve.knots.size() + other.knots.size());
+    for (std::size_t i = 0; i < other.knots.size(); ++i) {
+        RC_ASSERT(both.knots[curve.knots.size() + i].at == other.knots[i].at);
+        RC_ASSERT(both.knots[curve.knots.size() + i].join == other.knots[i].join);
+    }
+    assertReadable(both);
+}
+
+TEST(SplineAppended, bringsTheInnerPointsOfItsSegments) {
+    SplineCurve curve = curveThrough(Rule::mirror, {{0, 0}, {3, 3}}, false, 4);
+    SplineCurve other = curveThrough(Rule::mirror, {{6, 0}, {9, 3}, {12, 0}}, true, 4);
+    other.inner = {{1, {{1, 1}}}, {2, {{2, 2}}}}; // the last one closes it
+    EXPECT_EQ(appended(curve, other).inner, (std::map<int, Points>{{3, {{1, 1}}}}));
+    curve.degree = 5;
+    EXPECT_TRUE(appended(curve, other).inner.empty());
+}
+
 RC_GTEST_PROP(SplinePointsRemoved, leaveTheOthersAsTheyAre, ()) {
     const SplineCurve curve = anySpline();
     const std::vector<int> gone = anyIndices(curve.knots.size());

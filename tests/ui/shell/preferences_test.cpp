@@ -23,6 +23,8 @@ TEST_F(PreferencesTest, nothingIsChosenAtFirst) {
     const Preferences preferences;
     EXPECT_EQ(preferences.language(), std::nullopt);
     EXPECT_EQ(preferences.theme(), ThemeChoice::System);
+    EXPECT_FALSE(preferences.isSnapping());
+    EXPECT_FALSE(preferences.areRulersShown());
     EXPECT_TRUE(preferences.recentFiles().isEmpty());
     EXPECT_TRUE(preferences.windowGeometry().isEmpty());
     EXPECT_TRUE(preferences.panelLayout(u"spline"_s).isEmpty());
@@ -36,6 +38,12 @@ TEST_F(PreferencesTest, choicesAreThereAtTheNextStart) {
     for (const ThemeChoice theme : {ThemeChoice::Light, ThemeChoice::Dark, ThemeChoice::System}) {
         Preferences().setTheme(theme);
         EXPECT_EQ(Preferences().theme(), theme);
+    }
+    for (const bool isOn : {true, false}) {
+        Preferences().setSnapping(isOn);
+        EXPECT_EQ(Preferences().isSnapping(), isOn);
+        Preferences().setRulersShown(isOn);
+        EXPECT_EQ(Preferences().areRulersShown(), isOn);
     }
     const QByteArray bytes("\0\1\xff", 3);
     Preferences().setWindowGeometry(bytes);

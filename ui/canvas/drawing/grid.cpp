@@ -1,5 +1,7 @@
 #include "ui/canvas/drawing/grid.h"
 
+#include "ui/shell/language/number_text.h"
+
 #include <QFontMetricsF>
 #include <QLineF>
 #include <QList>
@@ -32,9 +34,6 @@ enum class Axis { x, y };
             return factor * power;
     return 10 * power;
 }
-[[nodiscard]] double numberStep(const Viewport& viewport) {
-    return roundStep(kNumberSpacing / viewport.scale);
-}
 
 [[nodiscard]] QColor mixed(const GridLook& look, double strength) {
     const auto part = [strength](int ink, int paper) { return qRound(strength * ink + (1 - strength) * paper); };
@@ -54,11 +53,6 @@ void paintLines(QPainter& painter, const Viewport& viewport, double step, const 
         painter.fillRect(QRectF(std::floor(viewport.toPixels({x, 0}).x()), 0, 1, viewport.size.height()), color);
     for (const double y : multiples(step, seen.ymin, seen.ymax))
         painter.fillRect(QRectF(0, std::floor(viewport.toPixels({0, y}).y()), viewport.size.width(), 1), color);
-}
-
-/// Enough decimals to tell the multiples of a step apart.
-[[nodiscard]] int decimalsOf(double step) {
-    return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 17);
 }
 
 /// The axis' place across its direction, or the nearest place where its numbers can be read.
@@ -106,6 +100,18 @@ void paintAxes(QPainter& painter, const Viewport& viewport, const GridLook& look
 
 double gridStep(const Viewport& viewport) {
     return roundStep(kGridSpacing / viewport.scale);
+}
+
+double numberStep(const Viewport& viewport) {
+    return roundStep(kNumberSpacing / viewport.scale);
+}
+
+int decimalsOf(double step) {
+    return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 17);
+}
+
+double nearestMultiple(double step, double number) {
+    return 0.0 + stepped(step * std::round(number / step), 0); // never -0
 }
 
 std::vector<double> multiples(double step, double low, double high) {

@@ -24,6 +24,13 @@ struct GridLook {
 [[nodiscard]] double gridStep(const Viewport& viewport);
 inline constexpr double kGridSpacing = 16;
 
+/// The distance of the stronger lines, which have numbers: likewise, a multiple of gridStep().
+[[nodiscard]] double numberStep(const Viewport& viewport);
+/// Enough decimals to tell the multiples of a step apart.
+[[nodiscard]] int decimalsOf(double step);
+/// The multiple of `step` nearest to the number, as it is read: three steps of 0.1 are 0.3.
+[[nodiscard]] double nearestMultiple(double step, double number);
+
 /// The multiples of `step` from `low` to `high`, ascending; at most 10,000.
 [[nodiscard]] std::vector<double> multiples(double step, double low, double high);
 

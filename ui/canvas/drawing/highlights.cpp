@@ -12,6 +12,9 @@ constexpr double kSelectedSize = 6;
 constexpr double kHoveredSize = 8.5;
 constexpr double kOutline = 1.2;
 
+constexpr double kSnapMarkReach = 11; // pixels: outside of the mark of the point itself
+constexpr double kSnapWidth = 1.5;
+
 constexpr float kBandOpacity = 0.15F;
 
 [[nodiscard]] Color toCore(const QColor& color) {
@@ -35,6 +38,27 @@ std::vector<Stamps> highlights(std::span<const Point> selected, std::optional<Po
         discs = stampsAt(selected, discs.picture, view);
     stamps.insert(stamps.begin(), std::move(discs));
     return stamps;
+}
+
+void paintSnap(QPainter& painter, const Snap& snap, const HighlightColors& colors, const Viewport& viewport) {
+    const QPointF at = viewport.toPixels(snap.at);
+    painter.setPen(QPen(colors.accent, kSnapWidth));
+    painter.setBrush(Qt::NoBrush);
+    const QPointF right(kSnapMarkReach, 0);
+    const QPointF down(0, kSnapMarkReach);
+    switch (snap.kind) {
+    case SnapKind::point:
+        painter.drawRect(QRectF(at - right - down, at + right + down));
+        break;
+    case SnapKind::curve:
+        painter.drawLine(at - right - down, at + right + down);
+        painter.drawLine(at - right + down, at + right - down);
+        break;
+    case SnapKind::grid:
+        painter.drawLine(at - right, at + right);
+        painter.drawLine(at - down, at + down);
+        break;
+    }
 }
 
 void paintRubberBand(QPainter& painter, const QRectF& band, const HighlightColors& colors) {

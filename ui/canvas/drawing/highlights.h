@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/canvas/drawing/stamps.h"
+#include "ui/canvas/snapping.h"
 
 #include <QColor>
 
@@ -16,6 +17,10 @@ struct HighlightColors {
 /// The marks over selected grips and, larger and hollow, over the one under the pointer: they differ without colour.
 [[nodiscard]] std::vector<Stamps> highlights(std::span<const Point> selected, std::optional<Point> hovered,
                                              const HighlightColors& colors, StampView view);
+
+/// A small mark around the place that a dragged point snapped to: a square on a point, a cross over a curve, a plus on
+/// the grid.
+void paintSnap(QPainter& painter, const Snap& snap, const HighlightColors& colors, const Viewport& viewport);
 
 /// The rectangle in which points are being selected, in pixels.
 void paintRubberBand(QPainter& painter, const QRectF& band, const HighlightColors& colors);

@@ -101,6 +101,10 @@ QString formatNumber(double value, int decimals, const QLocale& locale) {
     return localized(written, locale);
 }
 
+QString withMinus(QString number) {
+    return number.replace(u'-', u'\u2212');
+}
+
 double stepped(double value, double step) {
     const double sum = value + step;
     const double larger = std::max(std::abs(value), std::abs(step));

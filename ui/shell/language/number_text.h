@@ -19,6 +19,9 @@ namespace kriva::ui {
 /// The number rounded to `decimals` (0 to 17) places after the decimal sign; what rounds to zero has no minus.
 [[nodiscard]] QString formatNumber(double value, int decimals, const QLocale& locale = QLocale());
 
+/// The same number set in type: with U+2212, the minus of formulas, in every language.
+[[nodiscard]] QString withMinus(QString number);
+
 /// value + step as a person adds them: 0.1 and 0.2 give 0.3. Rounded to 15 significant digits of the larger of the two.
 [[nodiscard]] double stepped(double value, double step);
 

@@ -98,5 +98,14 @@ RC_GTEST_PROP(NumberText, stepsUpAndDownComeBack, ()) {
     RC_ASSERT(stepped(stepped(value, step), -step) == value);
 }
 
+TEST(WithMinus, setsTheMinusOfFormulasInEveryLanguage) {
+    for (const char* language : {"en", "bg", "sl", "uk"}) {
+        const QLocale locale{QString::fromLatin1(language)};
+        EXPECT_EQ(withMinus(formatNumber(-3, locale)), QStringLiteral("\u22123"));
+        EXPECT_EQ(withMinus(formatNumber(3, locale)), QStringLiteral("3"));
+        EXPECT_EQ(parseNumber(withMinus(formatNumber(-2.5e-7, locale))), -2.5e-7);
+    }
+}
+
 } // namespace
 } // namespace kriva::ui

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/document/document.h"
+#include "core/figure/text_source.h"
+
+namespace kriva {
+
+/// The curve itself, alone and without paper, as an SVG figure whose path other programs take. Nothing for curves that
+/// are not drawn yet. Without a scale, the longer side is that of a page.
+[[nodiscard]] std::optional<std::string> writeCurveSvg(const Curve& curve, std::optional<double> mmPerUnit,
+                                                       const TextSource& texts);
+
+} // namespace kriva

@@ -1,0 +1,61 @@
+#include "ui/exchange/clip.h"
+
+#include <gtest/gtest.h>
+
+namespace kriva::ui {
+namespace {
+
+const QString kOwn = QString::fromLatin1(kFragmentFormat);
+const QString kSvg = QStringLiteral("image/svg+xml");
+
+SubdivisionCurve arch() {
+    SubdivisionCurve curve;
+    curve.points = {{0, 0}, {1, 2}, {3, 0.5}};
+    curve.multiplicity = {1, 2, 1};
+    return curve;
+}
+
+QString refusalOf(const QMimeData& clip, SheetIndex sheet = 1) {
+    const auto read = readClip(clip, sheet);
+    const QString* refusal = std::get_if<QString>(&read);
+    return refusal ? *refusal : QStringLiteral("not refused");
+}
+
+TEST(Clip, isAFragmentAFigureAndATable) {
+    const auto clip = clipOf({Fragment::Content::curve, arch()}, 10);
+    EXPECT_EQ(clip->text(), QStringLiteral("0\t0\n1\t2\n3\t0.5"));
+    EXPECT_EQ(clip->data(kSvg).count("<path"), 1);
+    EXPECT_TRUE(clip->data(kOwn).startsWith("{\"format\": \"kriva-fragment\""));
+    const auto read = readClip(*clip, 1);
+    EXPECT_EQ(std::get<Fragment>(read), (Fragment{Fragment::Content::curve, arch()}));
+}
+
+TEST(Clip, ofOnePointHasNoFigure) {
+    const std::vector<int> second{1};
+    const auto clip = clipOf(fragmentOf(arch(), second), 10);
+    EXPECT_FALSE(clip->hasFormat(kSvg));
+    EXPECT_EQ(clip->text(), QStringLiteral("1\t2"));
+}
+
+TEST(Clip, ofAnotherSheetGivesItsPoints) {
+    const auto clip = clipOf({Fragment::Content::curve, arch()}, 10);
+    for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
+        const auto fragment = std::get<Fragment>(readClip(*clip, sheet));
+        EXPECT_EQ(fragment.curve.index(), sheet);
+        EXPECT_EQ(pointCount(fragment.curve), 3u);
+        EXPECT_EQ(pointAt(fragment.curve, 2), (Point{3, 0.5}));
+    }
+}
+
+TEST(Clip, tellsWhyItIsRefused) {
+    EXPECT_EQ(refusalOf({}), QStringLiteral("The clipboard holds no points"));
+    QMimeData clip;
+    clip.setText(QStringLiteral("1\t2\nthree\t4"));
+    EXPECT_EQ(refusalOf(clip), QString::fromUtf8("The clipboard, line 2: “three” is no number"));
+    clip.setData(kOwn, R"({"format":"kriva-fragment","version":1,"content":"points","sheet":"combined",)"
+                       R"("curve":{"points":[[0,0],[1,"2"]]}})");
+    EXPECT_EQ(refusalOf(clip), QStringLiteral("The clipboard: curve.points[1]: expected two finite numbers"));
+}
+
+} // namespace
+} // namespace kriva::ui
