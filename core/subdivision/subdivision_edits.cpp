@@ -32,9 +32,9 @@ std::size_t derivedPointCount(const SubdivisionCurve& curve) {
 }
 
 std::size_t mostPoints(const SubdivisionCurve& curve) {
-    const std::size_t used = controlPointCount(curve);
+    const std::size_t repetitions = controlPointCount(curve) - curve.points.size();
     const std::size_t most = mostControlPoints(curve.levels);
-    return curve.points.size() + (most > used ? most - used : 0);
+    return most > repetitions ? most - repetitions : 0;
 }
 
 SubdivisionCurve withGripsMoved(const SubdivisionCurve& curve, std::span<const GripId> ids, Vector by) {

@@ -149,7 +149,8 @@ TEST_P(SnappingTest, aMarkShowsThePlaceWhileTheDragLasts) {
     const QImage marked = picture();
     release({1.4, 1.2});
     // One arm of the plus, beyond the marks of the point itself.
-    const QPoint arm = pixel({1.4, 1.2}).toPoint() + QPoint(9, 0);
+    const QPointF at = pixel({1.4, 1.2});
+    const QPoint arm(static_cast<int>(at.x()), static_cast<int>(at.y()) - 9);
     EXPECT_NE(marked.pixelColor(arm), picture().pixelColor(arm));
 }
 

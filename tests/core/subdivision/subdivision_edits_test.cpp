@@ -32,6 +32,12 @@ TEST(SubdivisionEdits, aNewPointStandsOnceAndTheBlossomGainsT) {
     EXPECT_EQ(map(2), 2);
 }
 
+TEST(SubdivisionEdits, roomIsCountedWithMultiplicitiesAlsoBeyondTheLimit) {
+    EXPECT_EQ(mostPoints(example()), limits::kControlPoints - 1);
+    const Points many(limits::kControlPoints, {1, 2});
+    EXPECT_EQ(mostPoints(withPointsAdded(example(), many)), limits::kControlPoints - 1);
+}
+
 TEST(SubdivisionEdits, multiplicityLeavesWithItsPointAndTheBlossomLosesItsLast) {
     const auto [curve, map] = withPointsRemoved(example(), {1});
     EXPECT_EQ(curve.points, (Points{{0, 0}, {3, 1}}));
