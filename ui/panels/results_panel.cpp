@@ -34,7 +34,7 @@ bool ResultsPanel::event(QEvent* event) {
     // Who copies here means these rows and not the points.
     if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy))
         event->accept();
-    return QTreeWidget::event(event);
+    return QTreeView::event(event);
 }
 
 void ResultsPanel::changeEvent(QEvent* event) {
