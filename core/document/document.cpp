@@ -116,8 +116,8 @@ Edited<Curve> withPointAdded(Curve curve, Point at) {
 
 std::optional<Edited<Curve>> withPointInserted(const Curve& curve, Point near) {
     return std::visit(
-        [&](const auto& c) -> std::optional<Edited<Curve>> {
-            auto edited = withPointInserted(c, near);
+        [&]<class C>(const C& c) -> std::optional<Edited<Curve>> {
+            std::optional<Edited<C>> edited = withPointInserted(c, near); // its own, not this function once more
             if (!edited)
                 return {};
             return widened(std::move(*edited));
@@ -126,7 +126,12 @@ std::optional<Edited<Curve>> withPointInserted(const Curve& curve, Point near) {
 }
 
 std::optional<Curve> withCurvePulled(const Curve& curve, Point from, Vector by) {
-    return std::visit([&](const auto& c) -> std::optional<Curve> { return withCurvePulled(c, from, by); }, curve);
+    return std::visit(
+        [&]<class C>(const C& c) -> std::optional<Curve> {
+            std::optional<C> pulled = withCurvePulled(c, from, by);
+            return pulled;
+        },
+        curve);
 }
 
 Edited<Curve> withPointsRemoved(const Curve& curve, const std::vector<int>& indices) {
