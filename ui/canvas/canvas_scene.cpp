@@ -62,6 +62,11 @@ void CanvasScene::setHovered(std::optional<GripRef> grip) {
     update();
 }
 
+void CanvasScene::setGhost(std::optional<Point> place) {
+    if (std::exchange(ghost_, place) != place)
+        update();
+}
+
 void CanvasScene::setRubberBand(std::optional<QRectF> band) {
     band_ = band;
     update();
@@ -206,6 +211,8 @@ void CanvasScene::drawBackground(QPainter* painter, const QRectF& rectangle) {
 void CanvasScene::drawForeground(QPainter* painter, const QRectF&) {
     for (const Stamps& stamps : highlights_)
         paint(*painter, stamps, sight_.devicePixelRatio);
+    if (ghost_)
+        paintGhost(*painter, sight_.viewport.toPixels(*ghost_), colors_);
     if (band_)
         paintRubberBand(*painter, *band_, colors_);
 }

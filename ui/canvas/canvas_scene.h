@@ -31,6 +31,9 @@ class CanvasScene : public QGraphicsScene {
     void setSelection(Selection selection);
     [[nodiscard]] const Selection& selection() const { return selection_; }
     void setHovered(std::optional<GripRef> grip);
+    /// Where a point would be inserted.
+    void setGhost(std::optional<Point> place);
+    [[nodiscard]] std::optional<Point> ghost() const { return ghost_; }
     void setRubberBand(std::optional<QRectF> band);
 
     void setMapping(const Viewport& mapping);
@@ -78,6 +81,7 @@ class CanvasScene : public QGraphicsScene {
     std::vector<Entry> entries_;
     Selection selection_;
     std::optional<GripRef> hovered_;
+    std::optional<Point> ghost_;
     std::optional<QRectF> band_;
     Sight sight_;
     GridLook grid_;

@@ -55,6 +55,9 @@ class CanvasView : public QGraphicsView {
     void hover(QPointF pixel, Qt::KeyboardModifiers modifiers);
     /// Scrolls just so far that the grip is seen.
     void reveal(const GripRef& grip);
+    /// Where a point would be inserted; shown until the pointer is elsewhere.
+    void setGhost(std::optional<Point> place) { scene_.setGhost(place); }
+    [[nodiscard]] std::optional<Point> ghost() const { return scene_.ghost(); }
     void setRubberBand(std::optional<QRectF> band) { scene_.setRubberBand(band); }
     void requestContextMenu(QPointF pixel);
     /// Gives the focus to the next widget.

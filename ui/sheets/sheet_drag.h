@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/document/handle_way.h"
 #include "ui/sheets/sheet_editor.h"
 
 namespace kriva::ui {
@@ -15,20 +16,36 @@ class SheetDrag {
     void begin(const GripRef& grip);
     /// Of the curve itself, taken hold of at `at`; refused with a hint where it gives way to no pull.
     void beginOnCurve(Serial serial, Point at);
-    /// Of a point that is added at `at` to the active curve; both are one step.
+    /// Of a point that is added at `at` to the active curve, or of its handles; both are one step.
     void beginAdding(Point at);
+    /// The same of a point that is inserted into a curve near `at`.
+    void beginInserting(Serial serial, Point at);
     /// `by` is the whole way since the drag began.
-    void move(Vector by);
+    void move(Vector by, const DragKeys& keys);
     void end();
     void cancel();
 
+    /// What is dragged around its point; nothing for all else.
+    [[nodiscard]] std::optional<GripId> handle() const { return handle_; }
+
   private:
     void beginGesture(Serial serial, const StepLabel& label);
+    void reset();
+    void pullNewPoint(int point, Point at);
+    [[nodiscard]] Curve moved(Vector by, const DragKeys& keys);
+    void followSpace(Vector by, bool isHeld);
+    void followAlt(bool isHeld);
 
     SheetEditor& editor_;
+    Curve home_; ///< where nothing has moved yet
     Curve start_;
     std::vector<GripId> grips_;
-    std::optional<Point> pulledAt_; ///< where the curve itself is dragged
+    std::optional<Point> pulledAt_;    ///< where the curve itself is dragged
+    std::optional<GripId> handle_;     ///< where it is the one thing dragged
+    Vector offset_;                    ///< from the point whose handles are pulled to the press
+    HandleWay way_;                    ///< of the handle
+    Vector carriedBefore_;             ///< what Space carried until it was released
+    std::optional<Vector> spaceSince_; ///< the way at which Space went down
 };
 
 } // namespace kriva::ui

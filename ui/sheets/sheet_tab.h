@@ -2,6 +2,7 @@
 
 #include "ui/canvas/canvas_client.h"
 #include "ui/canvas/canvas_view.h"
+#include "ui/sheets/sheet_actions.h"
 #include "ui/sheets/sheet_drag.h"
 #include "ui/sheets/sheet_editor.h"
 #include "ui/sheets/sheet_panels.h"
@@ -22,6 +23,13 @@ class SheetTab : public QMainWindow, private CanvasClient {
     [[nodiscard]] CanvasView& canvas() { return *canvas_; }
     [[nodiscard]] SheetEditor& editor() { return editor_; }
     [[nodiscard]] SheetPanels& panels() { return panels_; }
+    [[nodiscard]] const SheetActions& actions() const { return actions_; }
+
+    /// Inserts a point where the context menu was asked for, if that was on a curve; else behind the selected point.
+    void insertPointHere();
+    /// A context menu opens: what is under it is selected or made active, so that the actions are about it.
+    void beginMenu(const Hit& under, Point at);
+    void endMenu() { menuPlace_.reset(); }
 
   Q_SIGNALS:
     /// A text for the status row about what lies under the pointer; empty where there is nothing to say.
@@ -37,17 +45,20 @@ class SheetTab : public QMainWindow, private CanvasClient {
     void addPoint(Point at) override;
     void addPointOn(GripRef grip, Point at) override;
     void insertPoint(Serial curve, Point at) override;
+    void insertPointBehindSelected() override;
     void removePoint(GripRef grip) override;
     void removeSelected(Removal removal) override;
+    void retractHandle(GripRef handle) override;
     void select(Selection selection) override;
     void activateCurve(Serial curve) override;
     void beginDrag(GripRef grip) override;
     void beginAddDrag(Point at) override;
+    void beginInsertDrag(Serial curve, Point at) override;
     void beginCurveDrag(Serial curve, Point at) override;
-    void drag(Vector by, Qt::KeyboardModifiers modifiers) override;
-    void endDrag() override;
-    void cancelDrag() override;
-    void nudge(Vector by) override;
+    void drag(Vector by, const DragKeys& keys) override;
+    void endDrag() override { drag_.end(); }
+    void cancelDrag() override { drag_.cancel(); }
+    void nudge(Vector by) override { editor_.nudge(by); }
     void hover(const Hit& under, Point at, Qt::KeyboardModifiers modifiers) override;
 
     void retranslateUi();
@@ -65,6 +76,8 @@ class SheetTab : public QMainWindow, private CanvasClient {
     SheetRelations relations_{editor_};
     CanvasView* canvas_;
     SheetPanels panels_;
+    SheetActions actions_;
+    std::optional<CurvePlace> menuPlace_; ///< of the context menu that is open
 };
 
 } // namespace kriva::ui

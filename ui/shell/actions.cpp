@@ -37,6 +37,8 @@ Actions::Actions(QWidget* window)
     deleteCurve = make("deleteCurve", QT_TRANSLATE_NOOP("Actions", "De&lete the curve"));
     nextCurve = make("nextCurve", QT_TRANSLATE_NOOP("Actions", "Ne&xt curve"));
     reverseCurve = make("reverseCurve", QT_TRANSLATE_NOOP("Actions", "&Reverse"));
+    insertPoint = make("insertPoint", QT_TRANSLATE_NOOP("Actions", "&Insert a point"), QKeySequence(Qt::Key_Insert));
+    insertPoint->setShortcutContext(Qt::WidgetShortcut); // the canvas takes the key itself
 
     editTool = makeToggle("editTool", QT_TRANSLATE_NOOP("Actions", "&Edit tool"), {}, IconName::Edit);
     addTool = makeToggle("addTool", QT_TRANSLATE_NOOP("Actions", "&Add tool"), {}, IconName::AddPoint);

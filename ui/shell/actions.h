@@ -39,6 +39,7 @@ class Actions : public QObject {
     QAction* deleteCurve;
     QAction* nextCurve;
     QAction* reverseCurve;
+    QAction* insertPoint;
     // View
     QAction* editTool;
     QAction* addTool;

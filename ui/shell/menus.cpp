@@ -58,9 +58,9 @@ void Menus::fillEdit(const Actions& actions) {
 }
 
 void Menus::fillCurve(const Actions& actions) {
-    add(nullptr, QT_TRANSLATE_NOOP("Menus", "&Curve"))
-        ->addActions(
-            {actions.newCurve, actions.nextCurve, actions.duplicateCurve, actions.deleteCurve, actions.reverseCurve});
+    curve_ = add(nullptr, QT_TRANSLATE_NOOP("Menus", "&Curve"));
+    curve_->addActions({actions.newCurve, actions.nextCurve, actions.duplicateCurve, actions.deleteCurve,
+                        actions.reverseCurve, actions.insertPoint});
 }
 
 void Menus::fillView(const Actions& actions) {
@@ -134,6 +134,13 @@ void Menus::setLanguage(Language language) {
 
 void Menus::setThemeChoice(ThemeChoice choice) {
     themes_[static_cast<std::size_t>(choice)].action->setChecked(true);
+}
+
+void Menus::setSheetActions(const QList<QAction*>& actions) {
+    for (QAction* action : sheetActions_)
+        curve_->removeAction(action);
+    sheetActions_ = actions;
+    curve_->addActions(actions);
 }
 
 void Menus::setPanels(const QList<QAction*>& panels) {

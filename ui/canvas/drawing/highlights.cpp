@@ -12,6 +12,9 @@ constexpr double kOutline = 1.2;
 
 constexpr float kBandOpacity = 0.15F;
 
+constexpr double kGhostRadius = 4.5; // pixels
+constexpr double kGhostOpacity = 0.6;
+
 [[nodiscard]] Color toCore(const QColor& color) {
     return {static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
             static_cast<std::uint8_t>(color.blue())};
@@ -31,6 +34,15 @@ std::vector<Stamps> highlights(std::span<const Point> selected, std::optional<Po
     if (hovered)
         stamps.push_back(marks(ring, {&*hovered, 1}));
     return stamps;
+}
+
+void paintGhost(QPainter& painter, QPointF at, const HighlightColors& colors) {
+    painter.save();
+    painter.setOpacity(kGhostOpacity);
+    painter.setPen(colors.ink);
+    painter.setBrush(colors.accent);
+    painter.drawEllipse(at, kGhostRadius, kGhostRadius);
+    painter.restore();
 }
 
 void paintRubberBand(QPainter& painter, const QRectF& band, const HighlightColors& colors) {

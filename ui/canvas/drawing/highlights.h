@@ -18,6 +18,9 @@ struct HighlightColors {
                                              const HighlightColors& colors, const Viewport& viewport,
                                              double devicePixelRatio);
 
+/// The dot where a point would be inserted, in pixels.
+void paintGhost(QPainter& painter, QPointF at, const HighlightColors& colors);
+
 /// The rectangle in which points are being selected, in pixels.
 void paintRubberBand(QPainter& painter, const QRectF& band, const HighlightColors& colors);
 
