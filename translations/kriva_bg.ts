@@ -175,6 +175,10 @@
         <source>S&amp;nap</source>
         <translation>Прил&amp;епване</translation>
     </message>
+    <message>
+        <source>&amp;Insert a point</source>
+        <translation>&amp;Вмъкване на точка</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -665,10 +669,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
 <context>
     <name>Hint</name>
     <message>
-        <source>Drag: move the handle</source>
-        <translation>Влачене: премества манипулатора</translation>
-    </message>
-    <message>
         <source>Alt+click: remove the point</source>
         <translation>Alt+щракване: премахва точката</translation>
     </message>
@@ -679,10 +679,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Drag: mould the curve   Double-click: insert a point</source>
         <translation>Влачене: извива кривата   Двойно щракване: вмъква точка</translation>
-    </message>
-    <message>
-        <source>Click: add a point   Esc: end</source>
-        <translation>Щракване: добавя точка   Esc: край</translation>
     </message>
     <message>
         <source>Alt+click: add a point</source>
@@ -711,6 +707,94 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>The degree falls to %1</source>
         <translation>Степента пада до %1</translation>
+    </message>
+    <message>
+        <source>Click: close the curve   Drag: move the point   Esc: end</source>
+        <translation>Щракване: затваря кривата   Влачене: премества точката   Esc: край</translation>
+    </message>
+    <message>
+        <source>Click: add a point   Drag: move the point   Esc: end</source>
+        <translation>Щракване: добавя точка   Влачене: премества точката   Esc: край</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag: move the point along an axis</source>
+        <translation>Ctrl+влачене: премества точката по оста</translation>
+    </message>
+    <message>
+        <source>Shift+click: select or deselect the point</source>
+        <translation>Shift+щракване: избира точката или я изключва от избора</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag: steps of 15°   Ctrl+click: retract the handle</source>
+        <translation>Ctrl+влачене: стъпки от 15°   Ctrl+щракване: прибира манипулатора</translation>
+    </message>
+    <message>
+        <source>Drag: move the handle, Ctrl: in steps of 15°   Ctrl+click: retract it</source>
+        <translation>Влачене: премества манипулатора, Ctrl: на стъпки от 15°   Ctrl+щракване: прибира го</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag: steps of 15°   Ctrl+click: back to the natural derivative</source>
+        <translation>Ctrl+влачене: стъпки от 15°   Ctrl+щракване: обратно към естествената производна</translation>
+    </message>
+    <message>
+        <source>Drag: change the derivative, Ctrl: in steps of 15°   Ctrl+click: back to the natural one</source>
+        <translation>Влачене: променя производната, Ctrl: на стъпки от 15°   Ctrl+щракване: обратно към естествената</translation>
+    </message>
+    <message>
+        <source>Drag: move the point, Ctrl: along an axis</source>
+        <translation>Влачене: премества точката, Ctrl: по оста</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+click: insert a point</source>
+        <translation>Ctrl+Alt+щракване: вмъква точка</translation>
+    </message>
+    <message>
+        <source>Click: insert a point   Drag: pull its handles   Esc: end</source>
+        <translation>Щракване: вмъква точка   Влачене: изтегля манипулаторите ѝ   Esc: край</translation>
+    </message>
+    <message>
+        <source>Click: insert a point   Drag: place it   Esc: end</source>
+        <translation>Щракване: вмъква точка   Влачене: намества я   Esc: край</translation>
+    </message>
+    <message>
+        <source>Alt+click: add a point   Alt+drag: deselect points</source>
+        <translation>Alt+щракване: добавя точка   Alt+влачене: изключва точки от избора</translation>
+    </message>
+    <message>
+        <source>Shift+drag: select more points</source>
+        <translation>Shift+влачене: избира още точки</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+drag: deselect points</source>
+        <translation>Ctrl+Shift+влачене: изключва точки от избора</translation>
+    </message>
+    <message>
+        <source>Click: add a point   Drag: pull its handles   Esc: end</source>
+        <translation>Щракване: добавя точка   Влачене: изтегля манипулаторите ѝ   Esc: край</translation>
+    </message>
+    <message>
+        <source>Click: add a point   Drag: place it   Esc: end</source>
+        <translation>Щракване: добавя точка   Влачене: намества я   Esc: край</translation>
+    </message>
+    <message>
+        <source>Space: the knot goes along</source>
+        <translation>Интервал: възелът върви заедно с манипулатора</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt: the handle keeps its angle</source>
+        <translation>Ctrl+Alt: манипулаторът запазва ъгъла си</translation>
+    </message>
+    <message>
+        <source>Ctrl: steps of 15°</source>
+        <translation>Ctrl: стъпки от 15°</translation>
+    </message>
+    <message>
+        <source>Alt: the other handle stays</source>
+        <translation>Alt: другият манипулатор остава на място</translation>
+    </message>
+    <message>
+        <source>Ctrl: steps of 15°   Ctrl+Alt: keep the angle   Alt: leave the other handle   Space: carry the knot</source>
+        <translation>Ctrl: стъпки от 15°   Ctrl+Alt: запазва ъгъла   Alt: оставя другия манипулатор   Интервал: носи и възела</translation>
     </message>
 </context>
 <context>
@@ -978,6 +1062,69 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>SheetActions</name>
+    <message>
+        <source>Raise the degree</source>
+        <translation>Повишаване на степента</translation>
+    </message>
+    <message>
+        <source>Lower the degree</source>
+        <translation>Понижаване на степента</translation>
+    </message>
+    <message>
+        <source>Elevate once more</source>
+        <translation>Още едно повишаване</translation>
+    </message>
+    <message>
+        <source>Elevate once less</source>
+        <translation>Едно повишаване по-малко</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Затворена</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ъглов</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Гладък</translation>
+    </message>
+    <message>
+        <source>Symmetric</source>
+        <translation>Симетричен</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Автоматичен</translation>
+    </message>
+    <message>
+        <source>Align handles</source>
+        <translation>Изравняване на манипулаторите</translation>
+    </message>
+    <message>
+        <source>Equalize handles</source>
+        <translation>Уеднаквяване на манипулаторите</translation>
+    </message>
+    <message>
+        <source>Pull out handles</source>
+        <translation>Изтегляне на манипулаторите</translation>
+    </message>
+    <message>
+        <source>Retract handles</source>
+        <translation>Прибиране на манипулаторите</translation>
+    </message>
+    <message>
+        <source>One level more</source>
+        <translation>Едно ниво повече</translation>
+    </message>
+    <message>
+        <source>One level fewer</source>
+        <translation>Едно ниво по-малко</translation>
+    </message>
+</context>
+<context>
     <name>SheetPanels</name>
     <message>
         <source>Curves</source>
@@ -1201,6 +1348,26 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Use the points of a tab</source>
         <translation>Използване на точките от друг раздел</translation>
+    </message>
+    <message>
+        <source>Retract a handle of knot %1</source>
+        <translation>Прибиране на манипулатор на възел %1</translation>
+    </message>
+    <message>
+        <source>Retract the handles</source>
+        <translation>Прибиране на манипулаторите</translation>
+    </message>
+    <message>
+        <source>Align the handles</source>
+        <translation>Изравняване на манипулаторите</translation>
+    </message>
+    <message>
+        <source>Equalize the handles</source>
+        <translation>Уеднаквяване на манипулаторите</translation>
+    </message>
+    <message>
+        <source>Pull out the handles</source>
+        <translation>Изтегляне на манипулаторите</translation>
     </message>
 </context>
 <context>

@@ -175,6 +175,10 @@
         <source>S&amp;nap</source>
         <translation>Pripe&amp;njanje</translation>
     </message>
+    <message>
+        <source>&amp;Insert a point</source>
+        <translation>&amp;Vstavi točko</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -667,10 +671,6 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
 <context>
     <name>Hint</name>
     <message>
-        <source>Drag: move the handle</source>
-        <translation>Vlečenje: premakne ročico</translation>
-    </message>
-    <message>
         <source>Alt+click: remove the point</source>
         <translation>Alt+klik: odstrani točko</translation>
     </message>
@@ -681,10 +681,6 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Drag: mould the curve   Double-click: insert a point</source>
         <translation>Vlečenje: oblikuje krivuljo   Dvojni klik: vstavi točko</translation>
-    </message>
-    <message>
-        <source>Click: add a point   Esc: end</source>
-        <translation>Klik: doda točko   Esc: konec</translation>
     </message>
     <message>
         <source>Alt+click: add a point</source>
@@ -713,6 +709,94 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>The degree falls to %1</source>
         <translation>Stopnja se zniža na %1</translation>
+    </message>
+    <message>
+        <source>Click: close the curve   Drag: move the point   Esc: end</source>
+        <translation>Klik: zapre krivuljo   Vlečenje: premakne točko   Esc: konec</translation>
+    </message>
+    <message>
+        <source>Click: add a point   Drag: move the point   Esc: end</source>
+        <translation>Klik: doda točko   Vlečenje: premakne točko   Esc: konec</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag: move the point along an axis</source>
+        <translation>Ctrl+vlečenje: premakne točko vzdolž osi</translation>
+    </message>
+    <message>
+        <source>Shift+click: select or deselect the point</source>
+        <translation>Shift+klik: izbere točko ali jo izvzame iz izbora</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag: steps of 15°   Ctrl+click: retract the handle</source>
+        <translation>Ctrl+vlečenje: koraki po 15°   Ctrl+klik: skrči ročico</translation>
+    </message>
+    <message>
+        <source>Drag: move the handle, Ctrl: in steps of 15°   Ctrl+click: retract it</source>
+        <translation>Vlečenje: premakne ročico, Ctrl: v korakih po 15°   Ctrl+klik: jo skrči</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag: steps of 15°   Ctrl+click: back to the natural derivative</source>
+        <translation>Ctrl+vlečenje: koraki po 15°   Ctrl+klik: nazaj na naravni odvod</translation>
+    </message>
+    <message>
+        <source>Drag: change the derivative, Ctrl: in steps of 15°   Ctrl+click: back to the natural one</source>
+        <translation>Vlečenje: spremeni odvod, Ctrl: v korakih po 15°   Ctrl+klik: nazaj na naravnega</translation>
+    </message>
+    <message>
+        <source>Drag: move the point, Ctrl: along an axis</source>
+        <translation>Vlečenje: premakne točko, Ctrl: vzdolž osi</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+click: insert a point</source>
+        <translation>Ctrl+Alt+klik: vstavi točko</translation>
+    </message>
+    <message>
+        <source>Click: insert a point   Drag: pull its handles   Esc: end</source>
+        <translation>Klik: vstavi točko   Vlečenje: izvleče njeni ročici   Esc: konec</translation>
+    </message>
+    <message>
+        <source>Click: insert a point   Drag: place it   Esc: end</source>
+        <translation>Klik: vstavi točko   Vlečenje: jo postavi   Esc: konec</translation>
+    </message>
+    <message>
+        <source>Alt+click: add a point   Alt+drag: deselect points</source>
+        <translation>Alt+klik: doda točko   Alt+vlečenje: izvzame točke iz izbora</translation>
+    </message>
+    <message>
+        <source>Shift+drag: select more points</source>
+        <translation>Shift+vlečenje: izbere še druge točke</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+drag: deselect points</source>
+        <translation>Ctrl+Shift+vlečenje: izvzame točke iz izbora</translation>
+    </message>
+    <message>
+        <source>Click: add a point   Drag: pull its handles   Esc: end</source>
+        <translation>Klik: doda točko   Vlečenje: izvleče njeni ročici   Esc: konec</translation>
+    </message>
+    <message>
+        <source>Click: add a point   Drag: place it   Esc: end</source>
+        <translation>Klik: doda točko   Vlečenje: jo postavi   Esc: konec</translation>
+    </message>
+    <message>
+        <source>Space: the knot goes along</source>
+        <translation>Preslednica: vozel gre z ročico</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt: the handle keeps its angle</source>
+        <translation>Ctrl+Alt: ročica ohrani svoj kot</translation>
+    </message>
+    <message>
+        <source>Ctrl: steps of 15°</source>
+        <translation>Ctrl: koraki po 15°</translation>
+    </message>
+    <message>
+        <source>Alt: the other handle stays</source>
+        <translation>Alt: druga ročica ostane na mestu</translation>
+    </message>
+    <message>
+        <source>Ctrl: steps of 15°   Ctrl+Alt: keep the angle   Alt: leave the other handle   Space: carry the knot</source>
+        <translation>Ctrl: koraki po 15°   Ctrl+Alt: ohrani kot   Alt: pusti drugo ročico   Preslednica: nese tudi vozel</translation>
     </message>
 </context>
 <context>
@@ -980,6 +1064,69 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
 </context>
 <context>
+    <name>SheetActions</name>
+    <message>
+        <source>Raise the degree</source>
+        <translation>Zvišaj stopnjo</translation>
+    </message>
+    <message>
+        <source>Lower the degree</source>
+        <translation>Znižaj stopnjo</translation>
+    </message>
+    <message>
+        <source>Elevate once more</source>
+        <translation>Eno zvišanje več</translation>
+    </message>
+    <message>
+        <source>Elevate once less</source>
+        <translation>Eno zvišanje manj</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Zaprta</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Kot</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Gladki</translation>
+    </message>
+    <message>
+        <source>Symmetric</source>
+        <translation>Simetrični</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Samodejni</translation>
+    </message>
+    <message>
+        <source>Align handles</source>
+        <translation>Poravnaj ročici</translation>
+    </message>
+    <message>
+        <source>Equalize handles</source>
+        <translation>Izenači ročici</translation>
+    </message>
+    <message>
+        <source>Pull out handles</source>
+        <translation>Izvleči ročici</translation>
+    </message>
+    <message>
+        <source>Retract handles</source>
+        <translation>Skrči ročici</translation>
+    </message>
+    <message>
+        <source>One level more</source>
+        <translation>En nivo več</translation>
+    </message>
+    <message>
+        <source>One level fewer</source>
+        <translation>En nivo manj</translation>
+    </message>
+</context>
+<context>
     <name>SheetPanels</name>
     <message>
         <source>Curves</source>
@@ -1203,6 +1350,26 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Use the points of a tab</source>
         <translation>Uporaba točk z drugega zavihka</translation>
+    </message>
+    <message>
+        <source>Retract a handle of knot %1</source>
+        <translation>Skrčenje ročice vozla %1</translation>
+    </message>
+    <message>
+        <source>Retract the handles</source>
+        <translation>Skrčenje ročic</translation>
+    </message>
+    <message>
+        <source>Align the handles</source>
+        <translation>Poravnava ročic</translation>
+    </message>
+    <message>
+        <source>Equalize the handles</source>
+        <translation>Izenačenje ročic</translation>
+    </message>
+    <message>
+        <source>Pull out the handles</source>
+        <translation>Izvlek ročic</translation>
     </message>
 </context>
 <context>

@@ -175,6 +175,10 @@
         <source>S&amp;nap</source>
         <translation>Прилип&amp;ання</translation>
     </message>
+    <message>
+        <source>&amp;Insert a point</source>
+        <translation>&amp;Вставити точку</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -666,10 +670,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
 <context>
     <name>Hint</name>
     <message>
-        <source>Drag: move the handle</source>
-        <translation>Перетягування: рухає маркер</translation>
-    </message>
-    <message>
         <source>Alt+click: remove the point</source>
         <translation>Alt+клацання: вилучає точку</translation>
     </message>
@@ -680,10 +680,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Drag: mould the curve   Double-click: insert a point</source>
         <translation>Перетягування: згинає криву   Подвійне клацання: вставляє точку</translation>
-    </message>
-    <message>
-        <source>Click: add a point   Esc: end</source>
-        <translation>Клацання: додає точку   Esc: кінець</translation>
     </message>
     <message>
         <source>Alt+click: add a point</source>
@@ -712,6 +708,94 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>The degree falls to %1</source>
         <translation>Степінь знижується до %1</translation>
+    </message>
+    <message>
+        <source>Click: close the curve   Drag: move the point   Esc: end</source>
+        <translation>Клацання: замикає криву   Перетягування: рухає точку   Esc: кінець</translation>
+    </message>
+    <message>
+        <source>Click: add a point   Drag: move the point   Esc: end</source>
+        <translation>Клацання: додає точку   Перетягування: рухає точку   Esc: кінець</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag: move the point along an axis</source>
+        <translation>Ctrl+перетягування: рухає точку вздовж осі</translation>
+    </message>
+    <message>
+        <source>Shift+click: select or deselect the point</source>
+        <translation>Shift+клацання: вибирає точку або знімає вибір</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag: steps of 15°   Ctrl+click: retract the handle</source>
+        <translation>Ctrl+перетягування: кроки по 15°   Ctrl+клацання: прибирає маркер</translation>
+    </message>
+    <message>
+        <source>Drag: move the handle, Ctrl: in steps of 15°   Ctrl+click: retract it</source>
+        <translation>Перетягування: рухає маркер, Ctrl: кроками по 15°   Ctrl+клацання: прибирає його</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag: steps of 15°   Ctrl+click: back to the natural derivative</source>
+        <translation>Ctrl+перетягування: кроки по 15°   Ctrl+клацання: назад до природної похідної</translation>
+    </message>
+    <message>
+        <source>Drag: change the derivative, Ctrl: in steps of 15°   Ctrl+click: back to the natural one</source>
+        <translation>Перетягування: змінює похідну, Ctrl: кроками по 15°   Ctrl+клацання: назад до природної</translation>
+    </message>
+    <message>
+        <source>Drag: move the point, Ctrl: along an axis</source>
+        <translation>Перетягування: рухає точку, Ctrl: уздовж осі</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+click: insert a point</source>
+        <translation>Ctrl+Alt+клацання: вставляє точку</translation>
+    </message>
+    <message>
+        <source>Click: insert a point   Drag: pull its handles   Esc: end</source>
+        <translation>Клацання: вставляє точку   Перетягування: витягує її маркери   Esc: кінець</translation>
+    </message>
+    <message>
+        <source>Click: insert a point   Drag: place it   Esc: end</source>
+        <translation>Клацання: вставляє точку   Перетягування: розташовує її   Esc: кінець</translation>
+    </message>
+    <message>
+        <source>Alt+click: add a point   Alt+drag: deselect points</source>
+        <translation>Alt+клацання: додає точку   Alt+перетягування: знімає вибір точок</translation>
+    </message>
+    <message>
+        <source>Shift+drag: select more points</source>
+        <translation>Shift+перетягування: вибирає ще точки</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+drag: deselect points</source>
+        <translation>Ctrl+Shift+перетягування: знімає вибір точок</translation>
+    </message>
+    <message>
+        <source>Click: add a point   Drag: pull its handles   Esc: end</source>
+        <translation>Клацання: додає точку   Перетягування: витягує її маркери   Esc: кінець</translation>
+    </message>
+    <message>
+        <source>Click: add a point   Drag: place it   Esc: end</source>
+        <translation>Клацання: додає точку   Перетягування: розташовує її   Esc: кінець</translation>
+    </message>
+    <message>
+        <source>Space: the knot goes along</source>
+        <translation>Пробіл: вузол рухається разом із маркером</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt: the handle keeps its angle</source>
+        <translation>Ctrl+Alt: маркер зберігає свій кут</translation>
+    </message>
+    <message>
+        <source>Ctrl: steps of 15°</source>
+        <translation>Ctrl: кроки по 15°</translation>
+    </message>
+    <message>
+        <source>Alt: the other handle stays</source>
+        <translation>Alt: інший маркер лишається на місці</translation>
+    </message>
+    <message>
+        <source>Ctrl: steps of 15°   Ctrl+Alt: keep the angle   Alt: leave the other handle   Space: carry the knot</source>
+        <translation>Ctrl: кроки по 15°   Ctrl+Alt: зберігає кут   Alt: лишає інший маркер   Пробіл: рухає й вузол</translation>
     </message>
 </context>
 <context>
@@ -979,6 +1063,69 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>SheetActions</name>
+    <message>
+        <source>Raise the degree</source>
+        <translation>Підвищити степінь</translation>
+    </message>
+    <message>
+        <source>Lower the degree</source>
+        <translation>Знизити степінь</translation>
+    </message>
+    <message>
+        <source>Elevate once more</source>
+        <translation>На одне підвищення більше</translation>
+    </message>
+    <message>
+        <source>Elevate once less</source>
+        <translation>На одне підвищення менше</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Замкнена</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Кутовий</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Гладкий</translation>
+    </message>
+    <message>
+        <source>Symmetric</source>
+        <translation>Симетричний</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Автоматичний</translation>
+    </message>
+    <message>
+        <source>Align handles</source>
+        <translation>Вирівняти маркери</translation>
+    </message>
+    <message>
+        <source>Equalize handles</source>
+        <translation>Зрівняти маркери</translation>
+    </message>
+    <message>
+        <source>Pull out handles</source>
+        <translation>Витягнути маркери</translation>
+    </message>
+    <message>
+        <source>Retract handles</source>
+        <translation>Прибрати маркери</translation>
+    </message>
+    <message>
+        <source>One level more</source>
+        <translation>На рівень більше</translation>
+    </message>
+    <message>
+        <source>One level fewer</source>
+        <translation>На рівень менше</translation>
+    </message>
+</context>
+<context>
     <name>SheetPanels</name>
     <message>
         <source>Curves</source>
@@ -1202,6 +1349,26 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Use the points of a tab</source>
         <translation>Використання точок з іншої вкладки</translation>
+    </message>
+    <message>
+        <source>Retract a handle of knot %1</source>
+        <translation>Прибирання маркера вузла %1</translation>
+    </message>
+    <message>
+        <source>Retract the handles</source>
+        <translation>Прибирання маркерів</translation>
+    </message>
+    <message>
+        <source>Align the handles</source>
+        <translation>Вирівнювання маркерів</translation>
+    </message>
+    <message>
+        <source>Equalize the handles</source>
+        <translation>Зрівнювання маркерів</translation>
+    </message>
+    <message>
+        <source>Pull out the handles</source>
+        <translation>Витягування маркерів</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "core/bezier/nearest.h"
 
 #include "core/bezier/evaluate.h"
+#include "core/geometry/box.h"
 #include "core/polynomial/bernstein_polynomial.h"
 #include "core/polynomial/sign_changes.h"
 
@@ -59,6 +60,12 @@ NearestPoint nearest(std::span<const Point> curve, Point point) {
         }
     consider(1);
     return best;
+}
+
+double leastDistance(std::span<const Point> curve, Point point) {
+    const Box box = boxOf(curve);
+    return std::hypot(std::max({box.xmin - point.x, 0.0, point.x - box.xmax}),
+                      std::max({box.ymin - point.y, 0.0, point.y - box.ymax}));
 }
 
 } // namespace kriva

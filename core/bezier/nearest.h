@@ -16,4 +16,7 @@ struct NearestPoint {
 /// that separates the candidates. For a curve of one place that place, with t = 0.
 [[nodiscard]] NearestPoint nearest(std::span<const Point> curve, Point point);
 
+/// A distance that no place of the curve falls below, quickly: that of its control points' box. O(degree).
+[[nodiscard]] double leastDistance(std::span<const Point> curve, Point point);
+
 } // namespace kriva

@@ -1,12 +1,10 @@
 #include "core/combined/combined_edits.h"
 
-#include "core/bezier/nearest.h"
-#include "core/combined/combined.h"
+#include "core/combined/path_place.h"
 #include "core/document/limits.h"
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
 
 namespace kriva {
 namespace {
@@ -39,6 +37,20 @@ std::vector<Grip> middleGrips(const CombinedCurve& curve) {
         if (isWithinLimits(middle.at))
             grips.push_back({{GripKind::middle, middle.pair}, middle.at});
     return grips;
+}
+
+/// The point behind which the next one is farthest away.
+int longestStep(std::span<const Point> points) {
+    int longest = 0;
+    double most = -1;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double step = distance(points[i - 1], points[i]);
+        if (step > most) {
+            most = step;
+            longest = static_cast<int>(i) - 1;
+        }
+    }
+    return longest;
 }
 
 [[maybe_unused]] bool hasPair(const CombinedCurve& curve, int pair) {
@@ -139,38 +151,32 @@ CombinedCurve withPairThrough(const CombinedCurve& curve, int pair, double t, Po
 }
 
 std::optional<Edited<CombinedCurve>> withPointInserted(const CombinedCurve& curve, Point near) {
-    std::optional<int> index;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < curve.points.size(); ++i) {
-        const double away = nearest(std::span(curve.points).subspan(i - 1, 2), near).distance;
-        if (away >= least)
-            continue;
-        least = away;
-        index = static_cast<int>(i);
-    }
-    if (!index)
+    if (curve.points.size() < 2)
         return {};
-    return withPointInserted(curve, *index, near);
+    const Combined combined = combine(curve);
+    const std::optional<PathPlace> place = placeNear(combined, near);
+    if (!place) // the points are all in one place
+        return withPointInserted(curve, 1, near);
+    return withPointInserted(curve, pointBefore(combined, curve.points, *place) + 1, place->nearest.at);
+}
+
+std::optional<Edited<CombinedCurve>> withPointInsertedBehind(const CombinedCurve& curve, std::optional<int> point) {
+    const int count = static_cast<int>(curve.points.size());
+    if (count < 2)
+        return {};
+    const int index = point ? std::min(*point, count - 2) : longestStep(curve.points);
+    return withPointInserted(curve, index + 1, placeBehind(combine(curve), curve.points, index));
 }
 
 std::optional<CombinedCurve> withCurvePulled(const CombinedCurve& curve, Point from, Vector by) {
     if (curve.method != CombinedCurve::Method::pairs || isIncomplete(curve))
         return {};
     const Combined combined = combine(curve);
-    const PathPiece* pulledPiece = nullptr;
-    NearestPoint place;
-    place.distance = std::numeric_limits<double>::infinity();
-    for (const PathPiece& piece : combined.path) {
-        const NearestPoint found = nearest(piece.curve.points, from);
-        if (found.distance >= place.distance)
-            continue;
-        place = found;
-        pulledPiece = &piece;
-    }
-    const bool isPair = pulledPiece && pulledPiece->kind == PathPiece::Kind::pair;
-    if (!isPair || place.t < kLeastT || place.t > 1 - kLeastT)
+    const std::optional<PathPlace> place = placeNear(combined, from);
+    if (!place || place->piece->kind != PathPiece::Kind::pair || place->nearest.t < kLeastT ||
+        place->nearest.t > 1 - kLeastT)
         return {};
-    return withPairThrough(curve, pulledPiece->index, place.t, place.at + by);
+    return withPairThrough(curve, place->piece->index, place->nearest.t, place->nearest.at + by);
 }
 
 } // namespace kriva

@@ -57,9 +57,13 @@ namespace kriva {
 /// between 0 and 1.
 [[nodiscard]] CombinedCurve withPairThrough(const CombinedCurve& curve, int pair, double t, Point place);
 
-/// One more given point at `near`, between the two whose connecting line it is nearest to; nothing below two points.
-/// The polynomials are fitted anew, so that the shape changes a little.
+/// One more given point where the path is nearest to `near`; nothing below two points. Interpolations keep their shape;
+/// other polynomials are fitted anew and change a little.
 [[nodiscard]] std::optional<Edited<CombinedCurve>> withPointInserted(const CombinedCurve& curve, Point near);
+/// The same in the middle of the path behind a point, before the last one where that is named, or where two neighbours
+/// are farthest apart where none is.
+[[nodiscard]] std::optional<Edited<CombinedCurve>> withPointInsertedBehind(const CombinedCurve& curve,
+                                                                           std::optional<int> point);
 /// Under Method::pairs, the pair nearest to `from` pulled there by its middle point, which becomes a correction;
 /// nothing where another piece is nearer, or under another method.
 [[nodiscard]] std::optional<CombinedCurve> withCurvePulled(const CombinedCurve& curve, Point from, Vector by);

@@ -124,8 +124,8 @@ Curve appended(Curve curve, const Curve& other) {
 
 std::optional<Edited<Curve>> withPointInserted(const Curve& curve, Point near) {
     return std::visit(
-        [&](const auto& c) -> std::optional<Edited<Curve>> {
-            auto edited = withPointInserted(c, near);
+        [&]<class C>(const C& c) -> std::optional<Edited<Curve>> {
+            std::optional<Edited<C>> edited = withPointInserted(c, near); // its own, not this function once more
             if (!edited)
                 return {};
             return widened(std::move(*edited));
@@ -134,7 +134,12 @@ std::optional<Edited<Curve>> withPointInserted(const Curve& curve, Point near) {
 }
 
 std::optional<Curve> withCurvePulled(const Curve& curve, Point from, Vector by) {
-    return std::visit([&](const auto& c) -> std::optional<Curve> { return withCurvePulled(c, from, by); }, curve);
+    return std::visit(
+        [&]<class C>(const C& c) -> std::optional<Curve> {
+            std::optional<C> pulled = withCurvePulled(c, from, by);
+            return pulled;
+        },
+        curve);
 }
 
 Edited<Curve> withPointsRemoved(const Curve& curve, const std::vector<int>& indices) {

@@ -48,6 +48,11 @@ namespace kriva {
 /// One degree elevation: one point more, the same curve; its inner points are all new. Nothing where the degree cannot
 /// rise.
 [[nodiscard]] std::optional<Edited<ElevationCurve>> withPointInserted(const ElevationCurve& curve, Point near);
+/// The same: it has no place.
+[[nodiscard]] inline std::optional<Edited<ElevationCurve>> withPointInsertedBehind(const ElevationCurve& curve,
+                                                                                   std::optional<int>) {
+    return withPointInserted(curve, Point{});
+}
 /// The curve pulled where it is nearest to `from`; nothing where it gives way to no pull. See pull.h.
 [[nodiscard]] std::optional<ElevationCurve> withCurvePulled(const ElevationCurve& curve, Point from, Vector by);
 

@@ -1,5 +1,6 @@
 #include "core/spline/chain_edits.h"
 
+#include "core/bezier/arc_length.h"
 #include "core/bezier/elevate.h"
 #include "core/bezier/evaluate.h"
 #include "core/bezier/nearest.h"
@@ -27,6 +28,8 @@ std::optional<ChainPlace> placeNear(const SplineCurve& curve, Point point) {
     std::optional<ChainPlace> place;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < segments.size(); ++i) {
+        if (leastDistance(segments[i], point) >= least)
+            continue;
         const NearestPoint found = nearest(segments[i], point);
         if (found.distance >= least)
             continue;
@@ -34,6 +37,13 @@ std::optional<ChainPlace> placeNear(const SplineCurve& curve, Point point) {
         place = ChainPlace{static_cast<int>(i), std::clamp(found.t, kLeastT, 1 - kLeastT)};
     }
     return place;
+}
+
+int longestSegment(const SplineCurve& curve) {
+    std::vector<double> lengths;
+    for (const Points& shape : shapesOf(curve))
+        lengths.push_back(arcLength(shape));
+    return static_cast<int>(std::ranges::max_element(lengths) - lengths.begin());
 }
 
 /// Makes room for one more segment behind `segment`.
@@ -144,6 +154,13 @@ std::optional<Edited<SplineCurve>> withPointInserted(const SplineCurve& curve, P
     if (!place)
         return {};
     return withKnotInserted(curve, place->segment, place->t);
+}
+
+std::optional<Edited<SplineCurve>> withPointInsertedBehind(const SplineCurve& curve, std::optional<int> knot) {
+    const int count = static_cast<int>(segmentCount(curve));
+    if (count == 0)
+        return {};
+    return withKnotInserted(curve, knot ? std::min(*knot, count - 1) : longestSegment(curve), 0.5);
 }
 
 std::optional<SplineCurve> withCurvePulled(const SplineCurve& curve, Point from, Vector by) {

@@ -25,6 +25,10 @@ namespace kriva {
 
 /// One more knot where the chain is nearest to the point; nothing while it is incomplete. See withKnotInserted.
 [[nodiscard]] std::optional<Edited<SplineCurve>> withPointInserted(const SplineCurve& curve, Point near);
+/// One more knot in the middle of the segment behind a knot, of the one before the last knot of an open chain, or of
+/// the longest one where no knot is named; nothing while the chain is incomplete. See withKnotInserted.
+[[nodiscard]] std::optional<Edited<SplineCurve>> withPointInsertedBehind(const SplineCurve& curve,
+                                                                         std::optional<int> knot);
 /// The chain pulled where it is nearest to `from`; nothing where it gives way to no pull. See withSegmentPulled.
 [[nodiscard]] std::optional<SplineCurve> withCurvePulled(const SplineCurve& curve, Point from, Vector by);
 

@@ -1,6 +1,8 @@
 #pragma once
 
 // All that the sheet `spline` brings to the document.
+#include "core/spline/chain_edits.h"
+#include "core/spline/editing/handle_drag.h"
 #include "core/spline/removal.h"
 #include "core/spline/spline.h"
 #include "core/spline/spline_crossings.h"

@@ -69,6 +69,11 @@ namespace kriva {
 /// One degree elevation, multiplicities written out first: one control point more, the same curve; its inner points are
 /// all new. Nothing where the degree cannot rise.
 [[nodiscard]] std::optional<Edited<SubdivisionCurve>> withPointInserted(const SubdivisionCurve& curve, Point near);
+/// The same: it has no place.
+[[nodiscard]] inline std::optional<Edited<SubdivisionCurve>> withPointInsertedBehind(const SubdivisionCurve& curve,
+                                                                                     std::optional<int>) {
+    return withPointInserted(curve, Point{});
+}
 /// The curve pulled where it is nearest to `from`, multiplicities written out; nothing where it gives way to no pull.
 /// See pull.h.
 [[nodiscard]] std::optional<SubdivisionCurve> withCurvePulled(const SubdivisionCurve& curve, Point from, Vector by);

@@ -41,6 +41,11 @@ void CanvasScene::setHovered(std::optional<GripRef> grip) {
     update();
 }
 
+void CanvasScene::setGhost(std::optional<Point> place) {
+    if (std::exchange(ghost_, place) != place)
+        update();
+}
+
 void CanvasScene::setRubberBand(std::optional<QRectF> band) {
     band_ = band;
     update();
@@ -138,6 +143,8 @@ void CanvasScene::drawForeground(QPainter* painter, const QRectF&) {
         paint(*painter, stamps, sight_.devicePixelRatio);
     if (snap_)
         paintSnap(*painter, *snap_, colors_, sight_.viewport);
+    if (ghost_)
+        paintGhost(*painter, sight_.viewport.toPixels(*ghost_), colors_);
     if (band_)
         paintRubberBand(*painter, *band_, colors_);
 }

@@ -22,6 +22,9 @@ class CanvasScene : public QGraphicsScene {
     void setSelection(Selection selection);
     [[nodiscard]] const Selection& selection() const { return selection_; }
     void setHovered(std::optional<GripRef> grip);
+    /// Where a point would be inserted.
+    void setGhost(std::optional<Point> place);
+    [[nodiscard]] std::optional<Point> ghost() const { return ghost_; }
     void setRubberBand(std::optional<QRectF> band);
     /// What the dragged point snapped to, shown by a mark.
     void setSnap(std::optional<Snap> snap);
@@ -59,6 +62,7 @@ class CanvasScene : public QGraphicsScene {
     Selection selection_;
     std::optional<Points> selectedPlaces_; ///< as long as they are known
     std::optional<GripRef> hovered_;
+    std::optional<Point> ghost_;
     std::optional<QRectF> band_;
     std::optional<Snap> snap_;
     Sight sight_;

@@ -55,6 +55,7 @@ void CanvasView::setTool(Tool tool) {
         return;
     tool_ = tool;
     gestures_.showCursor();
+    gestures_.follow(QGuiApplication::keyboardModifiers()); // a hint and a ghost without a move of the mouse
     Q_EMIT toolChanged(tool);
 }
 

@@ -60,6 +60,9 @@ class CanvasView : public QGraphicsView {
     void reveal(const GripRef& grip);
     [[nodiscard]] std::optional<Snap> snapOf(const SnappingPlace& place) const { return scene_.snapOf(place); }
     void showSnap(std::optional<Snap> snap) { scene_.setSnap(snap); }
+    /// Where a point would be inserted; shown until the pointer is elsewhere.
+    void setGhost(std::optional<Point> place) { scene_.setGhost(place); }
+    [[nodiscard]] std::optional<Point> ghost() const { return scene_.ghost(); }
     void setRubberBand(std::optional<QRectF> band) { scene_.setRubberBand(band); }
     void requestContextMenu(QPointF pixel);
     /// Gives the focus to the next widget.

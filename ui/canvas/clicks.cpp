@@ -1,5 +1,6 @@
 #include "ui/canvas/clicks.h"
 
+#include "core/document/document_drags.h"
 #include "ui/canvas/canvas_view.h"
 
 namespace kriva::ui {
@@ -27,7 +28,9 @@ void clickWithAddTool(const Press& press, CanvasClient& client) {
 
 void clickWithEditTool(const Press& press, const Selection& selection, CanvasClient& client) {
     const bool isToggling = press.with(Qt::ShiftModifier);
-    if (press.under.grip) {
+    if (press.under.grip && press.with(Qt::ControlModifier) && isHandle(press.under.grip->id.kind)) {
+        client.retractHandle(*press.under.grip);
+    } else if (press.under.grip) {
         const Selection clicked{*press.under.grip};
         if (!isToggling)
             client.select(clicked);

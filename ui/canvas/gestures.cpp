@@ -1,12 +1,14 @@
 #include "ui/canvas/gestures.h"
 
 #include "ui/canvas/canvas_view.h"
+#include "ui/canvas/drags.h"
 #include "ui/canvas/qt_geometry.h"
 
 #include <QMouseEvent>
 #include <QWheelEvent>
 
 #include <cmath>
+#include <utility>
 
 namespace kriva::ui {
 namespace {
@@ -14,15 +16,6 @@ namespace {
 constexpr double kClickReach = 4;      ///< pixels: less movement is a click
 constexpr double kNotchAngle = 120;    ///< of a wheel, in eighths of a degree
 constexpr double kPixelsPerNotch = 60; ///< three lines, as elsewhere
-
-[[nodiscard]] bool isHandle(GripKind kind) {
-    return kind == GripKind::inHandle || kind == GripKind::outHandle || kind == GripKind::startDerivative ||
-           kind == GripKind::endDerivative;
-}
-
-[[nodiscard]] Vector lockedToAxis(Vector way) {
-    return std::abs(way.x) >= std::abs(way.y) ? Vector{way.x, 0} : Vector{0, way.y};
-}
 
 } // namespace
 
@@ -65,8 +58,9 @@ void Gestures::move(const QMouseEvent& event) {
 }
 
 void Gestures::follow(Qt::KeyboardModifiers modifiers) {
+    modifiers_ = modifiers;
     if (state_ == State::dragging)
-        client_.drag(way(modifiers), modifiers);
+        client_.drag(wayOf(press_, view_.mapping().toDocument(pixel_), modifiers), {modifiers, isSpaceHeld_});
     else if (state_ == State::banding)
         view_.setRubberBand(band());
     else if (state_ == State::idle && isPointerInside_)
@@ -87,6 +81,7 @@ void Gestures::wheel(QWheelEvent& event) {
 
 void Gestures::leave() {
     isPointerInside_ = false;
+    view_.setGhost(std::nullopt);
 }
 
 void Gestures::release(const QMouseEvent& event) {
@@ -113,38 +108,30 @@ void Gestures::doubleClick(const QMouseEvent& event) {
 }
 
 void Gestures::setSpaceHeld(bool isHeld) {
-    isSpaceHeld_ = isHeld;
+    if (std::exchange(isSpaceHeld_, isHeld) == isHeld)
+        return;
     showCursor();
+    if (state_ == State::dragging)
+        follow(modifiers_);
+}
+
+std::optional<CurvePlace> Gestures::curveUnderPointer() const {
+    const std::optional<Serial> curve = isPointerInside_ ? view_.hitAt(pixel_).curve : std::nullopt;
+    if (!curve)
+        return std::nullopt;
+    return CurvePlace{*curve, view_.mapping().toDocument(pixel_)};
 }
 
 void Gestures::startDrag() {
-    const bool isAlt = press_.with(Qt::AltModifier);
-    const bool isShift = press_.with(Qt::ShiftModifier);
-    if (press_.button == Qt::RightButton) {
-        setState(State::idle);
-    } else if (press_.under.grip && !isAlt) {
-        takeGrip(*press_.under.grip);
-    } else if (isAlt || isShift) {
-        setState(State::banding);
-    } else if (press_.under.curve) {
-        setState(State::dragging);
-        client_.beginCurveDrag(*press_.under.curve, press_.at);
-    } else if (view_.tool() == Tool::add) {
-        setState(State::dragging);
-        client_.beginAddDrag(press_.at);
-    } else {
-        setState(State::banding);
+    view_.setGhost(std::nullopt);
+    switch (beginDrag(press_, view_, client_)) {
+    case DragKind::none:
+        return setState(State::idle);
+    case DragKind::drag:
+        return setState(State::dragging);
+    case DragKind::band:
+        return setState(State::banding);
     }
-}
-
-void Gestures::takeGrip(const GripRef& grip) {
-    setState(State::dragging);
-    const Selection& selection = view_.selection();
-    if (!selection.contains(grip)) {
-        const bool isAdding = press_.with(Qt::ShiftModifier);
-        client_.select(isAdding ? united(selection, {grip}) : Selection{grip});
-    }
-    client_.beginDrag(grip);
 }
 
 void Gestures::cancel() {
@@ -174,13 +161,6 @@ void Gestures::finishBand() {
         client_.select(without(view_.selection(), inside));
     else
         client_.select(isShift ? united(view_.selection(), inside) : inside);
-}
-
-Vector Gestures::way(Qt::KeyboardModifiers modifiers) const {
-    const Vector way = view_.mapping().toDocument(pixel_) - press_.at;
-    const bool isLocked =
-        modifiers.testFlag(Qt::ControlModifier) && press_.under.grip && !isHandle(press_.under.grip->id.kind);
-    return isLocked ? lockedToAxis(way) : way;
 }
 
 QRectF Gestures::band() const {

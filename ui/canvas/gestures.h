@@ -26,10 +26,13 @@ class Gestures {
     void wheel(QWheelEvent& event);
     /// The pointer is elsewhere: nothing is hovered any more.
     void leave();
-    /// While it is held before a press, the press pans.
+    /// While it is held before a press, the press pans; what it means in a drag is the client's to say.
     void setSpaceHeld(bool isHeld);
     /// The view or the modifier keys changed under a pointer that stands still.
     void follow(Qt::KeyboardModifiers modifiers);
+
+    /// Where a point would be inserted.
+    [[nodiscard]] std::optional<CurvePlace> curveUnderPointer() const;
 
     /// Whether a mouse button that means something is down.
     [[nodiscard]] bool isRunning() const { return state_ != State::idle; }
@@ -44,18 +47,16 @@ class Gestures {
     void begin(const QMouseEvent& event);
     [[nodiscard]] Press pressOf(const QMouseEvent& event) const;
     void startDrag();
-    void takeGrip(const GripRef& grip);
-    void startBand();
     void finishBand();
     void setState(State state);
-    [[nodiscard]] Vector way(Qt::KeyboardModifiers modifiers) const;
     [[nodiscard]] QRectF band() const;
 
     CanvasView& view_;
     CanvasClient& client_;
     State state_ = State::idle;
     Press press_;
-    QPointF pixel_; ///< where the pointer is
+    QPointF pixel_;                   ///< where the pointer is
+    Qt::KeyboardModifiers modifiers_; ///< as last told
     bool isPointerInside_ = false;
     bool isSpaceHeld_ = false;
 };

@@ -74,8 +74,10 @@ bool KeyGestures::wants(const QKeyEvent& event) const {
     switch (event.key()) {
     case Qt::Key_Escape:
     case Qt::Key_Backspace:
-    case Qt::Key_Space:
+    case Qt::Key_Insert:
         return modifiers == Qt::NoModifier;
+    case Qt::Key_Space:
+        return modifiers == Qt::NoModifier || mouse_.isRunning();
     case Qt::Key_Delete:
         return modifiers == Qt::NoModifier || modifiers == Qt::ControlModifier;
     case Qt::Key_Return:
@@ -97,6 +99,10 @@ bool KeyGestures::press(const QKeyEvent& event) {
         escape();
         return true;
     }
+    if (event.key() == Qt::Key_Space) {
+        mouse_.setSpaceHeld(true);
+        return true;
+    }
     if (mouse_.isRunning())
         return true; // the hand is busy
     if (const auto direction = arrowOf(event.key())) {
@@ -110,8 +116,8 @@ bool KeyGestures::press(const QKeyEvent& event) {
             client_.removeSelected(event.modifiers().testFlag(Qt::ControlModifier) ? Removal::plain
                                                                                    : Removal::refitted);
         return true;
-    case Qt::Key_Space:
-        mouse_.setSpaceHeld(true);
+    case Qt::Key_Insert:
+        insert();
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
@@ -143,6 +149,14 @@ bool KeyGestures::pressSingleKey(const QKeyEvent& event) {
     default:
         return false;
     }
+}
+
+void KeyGestures::insert() {
+    if (const std::optional<CurvePlace> place = mouse_.curveUnderPointer())
+        client_.insertPoint(place->curve, place->near);
+    else
+        client_.insertPointBehindSelected();
+    mouse_.follow(Qt::NoModifier);
 }
 
 void KeyGestures::nudge(Vector direction, Qt::KeyboardModifiers modifiers) {

@@ -23,6 +23,7 @@ class KeyGestures {
 
   private:
     bool pressSingleKey(const QKeyEvent& event);
+    void insert();
     void nudge(Vector direction, Qt::KeyboardModifiers modifiers);
     void escape();
     [[nodiscard]] std::optional<GripRef> neighbourOfSelection(bool isNext) const;

@@ -33,4 +33,10 @@ struct Hit {
     friend bool operator==(const Hit&, const Hit&) = default;
 };
 
+/// A place on a curve.
+struct CurvePlace {
+    Serial curve = 0;
+    Point near; ///< as the pointer says it
+};
+
 } // namespace kriva::ui

@@ -23,4 +23,9 @@ StepLabel moveLabel(const GripId& grip) {
     return {};
 }
 
+StepLabel retractLabel(const GripId& grip) {
+    const bool isHandle = grip.kind == GripKind::inHandle || grip.kind == GripKind::outHandle;
+    return isHandle ? StepLabel{QT_TRANSLATE_NOOP("Step", "Retract a handle of knot %1"), grip.index} : moveLabel(grip);
+}
+
 } // namespace kriva::ui

@@ -1,5 +1,6 @@
 #include "ui/sheets/sheet_editor.h"
 
+#include "core/document/document_drags.h"
 #include "core/exchange/conversion.h"
 #include "ui/sheets/move_label.h"
 #include "ui/sheets/sheet_drag.h"
@@ -46,17 +47,43 @@ void SheetEditor::append(const Curve& points, const StepLabel& label) {
 }
 
 void SheetEditor::insertPoint(Serial serial, Point near) {
+    if (beginInserting(serial, near))
+        document().endGesture();
+}
+
+std::optional<int> SheetEditor::beginInserting(Serial serial, Point near) {
     const Curve* curve = document().find(index(), serial);
     if (!curve)
+        return {};
+    return beginInserting(serial, withPointInserted(*curve, near), near);
+}
+
+void SheetEditor::insertPointBehindSelected() {
+    const Curve* curve = activeCurve();
+    if (!curve || pointCount(*curve) == 0)
         return;
-    std::optional<Edited<Curve>> edited = withPointInserted(*curve, near);
+    const std::vector<int> selected = selectedPoints();
+    const std::optional<int> point = selected.empty() ? std::nullopt : std::optional(selected.back());
+    const int middle = static_cast<int>(pointCount(*curve)) / 2;
+    if (beginInserting(activeSerial(), withPointInsertedBehind(*curve, point), pointAt(*curve, point.value_or(middle))))
+        document().endGesture();
+}
+
+std::optional<int> SheetEditor::beginInserting(Serial serial, std::optional<Edited<Curve>> edited, Point near) {
     if (!edited) {
         Q_EMIT hint({QT_TRANSLATE_NOOP("Hint", "No point can be inserted here")});
-        return;
+        return {};
     }
-    const Selection selected = selection();
-    if (document().change(index(), serial, std::move(edited->curve), {QT_TRANSLATE_NOOP("Step", "Insert a point")}))
-        selectMapped(selected, serial, edited->map);
+    const int point = newPointNear(*edited, near);
+    const std::size_t count = pointCount(edited->curve);
+    document().beginGesture(index(), serial, {QT_TRANSLATE_NOOP("Step", "Insert a point")});
+    document().preview(std::move(edited->curve));
+    if (pointCount(*document().find(index(), serial)) != count) {
+        document().cancelGesture();
+        return {};
+    }
+    select({{serial, {GripKind::point, point}}});
+    return point;
 }
 
 void SheetEditor::removePoints(Serial serial, const std::vector<int>& indices, Removal removal,
@@ -124,6 +151,22 @@ void SheetEditor::reverse() {
     const Selection selected = selection();
     change(std::move(edited.curve), {QT_TRANSLATE_NOOP("Step", "Reverse the curve")});
     selectMapped(selected, activeSerial(), edited.map);
+}
+
+void SheetEditor::retractHandle(const GripRef& handle) {
+    const Curve* curve = document().find(index(), handle.serial);
+    std::optional<Curve> retracted = curve ? withHandleRetracted(*curve, handle.id) : std::nullopt;
+    if (retracted)
+        document().change(index(), handle.serial, std::move(*retracted), retractLabel(handle.id));
+}
+
+bool SheetEditor::closeAt(const GripRef& point) {
+    const bool isPoint = point.serial == activeSerial() && point.id.kind == GripKind::point;
+    std::optional<Curve> closed = isPoint ? closedAt(*activeCurve(), point.id.index) : std::nullopt;
+    if (!closed)
+        return false;
+    change(std::move(*closed), {QT_TRANSLATE_NOOP("Step", "Close the curve")});
+    return true;
 }
 
 void SheetEditor::newCurve() {

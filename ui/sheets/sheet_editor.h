@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/canvas/canvas_client.h"
-#include "ui/sheets/hint.h"
+#include "ui/sheets/hints/hint.h"
 #include "ui/sheets/shown_sheet.h"
 
 namespace kriva::ui {
@@ -18,8 +18,13 @@ class SheetEditor : public ShownSheet {
     bool beginAdding(Point at);
     /// The points of a curve of this sheet behind those of the active one, in one step; they are selected.
     void append(const Curve& points, const StepLabel& label);
-    /// One point more near a place of the curve, which keeps its shape.
+    /// One point more near a place of the curve, which keeps its shape; the new point nearest to it is selected.
     void insertPoint(Serial serial, Point near);
+    /// The same as a gesture that goes on; gives the new point, nothing where it is refused.
+    std::optional<int> beginInserting(Serial serial, Point near);
+    /// One point more in the middle behind the selected one of the active curve, else where there is most room, so that
+    /// pressing Insert again and again walks along the curve.
+    void insertPointBehindSelected();
     /// Without a label the step says which point goes.
     void removePoints(Serial serial, const std::vector<int>& indices, Removal removal,
                       const std::optional<StepLabel>& label = {});
@@ -34,6 +39,9 @@ class SheetEditor : public ShownSheet {
     /// As change, but steps of the same kind that follow each other closely become one.
     void changeInBurst(Curve value, const StepLabel& label);
     void reverse();
+    void retractHandle(const GripRef& handle);
+    /// Closes an open chain at its first point; false for any other point.
+    bool closeAt(const GripRef& point);
 
     // Curves.
     void newCurve();
@@ -58,6 +66,7 @@ class SheetEditor : public ShownSheet {
     void hint(const kriva::ui::Hint& hint);
 
   private:
+    std::optional<int> beginInserting(Serial serial, std::optional<Edited<Curve>> edited, Point near);
     void tellRemoval(const Curve& before, const Curve& after, std::optional<double> deviation);
 };
 

@@ -2,7 +2,8 @@
 
 #include "core/figure/page.h"
 #include "ui/sheets/curve_name.h"
-#include "ui/sheets/hint_text.h"
+#include "ui/sheets/hints/hint_text.h"
+#include "ui/sheets/hints/pointing.h"
 
 #include <QEvent>
 
@@ -18,7 +19,8 @@ SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, 
     , editor_(document, sheet)
     , canvas_(new CanvasView(*this, this))
     , ruled_(new RuledCanvas(canvas_, this))
-    , panels_(*this, editor_, relations_, ui) {
+    , panels_(*this, editor_, relations_, ui)
+    , actions_(editor_, ui, *canvas_) {
     setWindowFlags(Qt::Widget); // a main window inside another: for its docks only
     setDockNestingEnabled(true);
     setCentralWidget(ruled_);
@@ -27,6 +29,7 @@ SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, 
         showAllCurves();
         followPage();
         canvas_->fitAll();
+        canvas_->setTool(editor_.sheet().curves.empty() ? Tool::add : Tool::edit); // what there is to do first
     });
     connect(&document, &OpenDocument::curvesChanged, this, [this](SheetIndex changed) {
         if (changed == editor_.index())
@@ -57,6 +60,7 @@ void SheetTab::changeEvent(QEvent* event) {
 
 void SheetTab::retranslateUi() {
     panels_.retranslateUi();
+    actions_.retranslateUi();
     showAllCurves(); // numbers and captions on the canvas follow the language
 }
 
@@ -97,11 +101,13 @@ void SheetTab::showAllCurves() {
         curves.push_back(canvasCurve(serial));
     curves.push_back(canvasRelations());
     canvas_->setCurves(std::move(curves));
+    canvas_->setGhost(std::nullopt);
     canvas_->setSelection(editor_.selection());
 }
 
 void SheetTab::updateCurve(Serial serial) {
     canvas_->updateCurve(canvasCurve(serial));
+    canvas_->setGhost(std::nullopt); // the next move of the pointer shows it where it is then
 }
 
 Point SheetTab::snapped(Point at) const {
@@ -125,13 +131,39 @@ void SheetTab::addPoint(Point at) {
     editor_.addPoint(snapped(at));
 }
 
-void SheetTab::addPointOn(GripRef, Point at) {
-    editor_.addPoint(snapped(at));
+void SheetTab::addPointOn(GripRef grip, Point at) {
+    if (editor_.closeAt(grip))
+        canvas_->setTool(Tool::edit);
+    else
+        editor_.addPoint(snapped(at));
 }
 
 void SheetTab::insertPoint(Serial curve, Point at) {
     activateCurve(curve);
     editor_.insertPoint(curve, at);
+}
+
+void SheetTab::insertPointBehindSelected() {
+    editor_.insertPointBehindSelected();
+}
+
+void SheetTab::insertPointHere() {
+    if (menuPlace_)
+        insertPoint(menuPlace_->curve, menuPlace_->near);
+    else
+        editor_.insertPointBehindSelected();
+}
+
+void SheetTab::beginMenu(const Hit& under, Point at) {
+    menuPlace_.reset();
+    if (under.grip) {
+        if (!editor_.selection().contains(*under.grip))
+            select({*under.grip});
+        activateCurve(under.grip->serial);
+    } else if (under.curve) {
+        activateCurve(*under.curve);
+        menuPlace_ = CurvePlace{*under.curve, at};
+    }
 }
 
 void SheetTab::removePoint(GripRef grip) {
@@ -141,6 +173,11 @@ void SheetTab::removePoint(GripRef grip) {
 
 void SheetTab::removeSelected(Removal removal) {
     editor_.removeSelected(removal);
+}
+
+void SheetTab::retractHandle(GripRef handle) {
+    activateCurve(handle.serial);
+    editor_.retractHandle(handle);
 }
 
 void SheetTab::select(Selection selection) {
@@ -166,15 +203,22 @@ void SheetTab::beginAddDrag(Point at) {
     drag_.beginAdding(snapped(at));
 }
 
+void SheetTab::beginInsertDrag(Serial curve, Point at) {
+    activateCurve(curve);
+    drag_.beginInserting(curve, at);
+}
+
 void SheetTab::beginCurveDrag(Serial curve, Point at) {
     activateCurve(curve);
     drag_.beginOnCurve(curve, at);
 }
 
-void SheetTab::drag(Vector by, Qt::KeyboardModifiers modifiers) {
-    const std::optional<Snap> snap = snapOfDrag(by, modifiers);
+void SheetTab::drag(Vector by, const DragKeys& keys) {
+    const std::optional<Snap> snap = snapOfDrag(by, keys.modifiers);
     canvas_->showSnap(snap);
-    drag_.move(by, snap ? std::optional(snap->at) : std::nullopt);
+    drag_.move(by, keys, snap ? std::optional(snap->at) : std::nullopt);
+    if (drag_.handle())
+        Q_EMIT hintChanged(dragHintText(keys));
 }
 
 void SheetTab::endDrag() {
@@ -192,9 +236,11 @@ void SheetTab::nudge(Vector by) {
 }
 
 void SheetTab::hover(const Hit& under, Point at, Qt::KeyboardModifiers modifiers) {
-    const bool wouldAdd = isSnapping_ && canvas_->tool() == Tool::add && !under.curve;
+    const Pointing now{under, at, modifiers, canvas_->tool()};
+    const bool wouldAdd = isSnapping_ && now.tool == Tool::add && !under.curve;
     canvas_->showSnap(wouldAdd ? canvas_->snapOf({.at = at}) : std::nullopt);
-    Q_EMIT hintChanged(hintText(under, modifiers, canvas_->tool()));
+    canvas_->setGhost(ghostFor(editor_, now));
+    Q_EMIT hintChanged(hintFor(editor_, now));
 }
 
 } // namespace kriva::ui

@@ -4,6 +4,7 @@
 #include "ui/canvas/canvas_view.h"
 #include "ui/canvas/rulers/ruled_canvas.h"
 #include "ui/sheets/results/sheet_relations.h"
+#include "ui/sheets/sheet_actions.h"
 #include "ui/sheets/sheet_drag.h"
 #include "ui/sheets/sheet_editor.h"
 #include "ui/sheets/sheet_panels.h"
@@ -26,6 +27,13 @@ class SheetTab : public QMainWindow, private CanvasClient {
     void setRulersShown(bool areShown) { ruled_->setRulersShown(areShown); }
     /// Whether points that are dragged or added snap.
     void setSnapping(bool isSnapping) { isSnapping_ = isSnapping; }
+    [[nodiscard]] const SheetActions& actions() const { return actions_; }
+
+    /// Inserts a point where the context menu was asked for, if that was on a curve; else behind the selected point.
+    void insertPointHere();
+    /// A context menu opens: what is under it is selected or made active, so that the actions are about it.
+    void beginMenu(const Hit& under, Point at);
+    void endMenu() { menuPlace_.reset(); }
 
   Q_SIGNALS:
     /// A text for the status row about what lies under the pointer; empty where there is nothing to say.
@@ -41,17 +49,20 @@ class SheetTab : public QMainWindow, private CanvasClient {
     void addPoint(Point at) override;
     void addPointOn(GripRef grip, Point at) override;
     void insertPoint(Serial curve, Point at) override;
+    void insertPointBehindSelected() override;
     void removePoint(GripRef grip) override;
     void removeSelected(Removal removal) override;
+    void retractHandle(GripRef handle) override;
     void select(Selection selection) override;
     void activateCurve(Serial curve) override;
     void beginDrag(GripRef grip) override;
     void beginAddDrag(Point at) override;
+    void beginInsertDrag(Serial curve, Point at) override;
     void beginCurveDrag(Serial curve, Point at) override;
-    void drag(Vector by, Qt::KeyboardModifiers modifiers) override;
-    void endDrag() override;
-    void cancelDrag() override;
-    void nudge(Vector by) override;
+    void drag(Vector by, const DragKeys& keys) override;
+    void endDrag() override { drag_.end(); }
+    void cancelDrag() override { drag_.cancel(); }
+    void nudge(Vector by) override { editor_.nudge(by); }
     void hover(const Hit& under, Point at, Qt::KeyboardModifiers modifiers) override;
 
     void retranslateUi();
@@ -76,6 +87,8 @@ class SheetTab : public QMainWindow, private CanvasClient {
     bool isSnapping_ = false;
     /// Shift switches snapping off only when it is pressed during a drag; before, it added to the selection.
     bool mayShiftSwitch_ = false;
+    SheetActions actions_;
+    std::optional<CurvePlace> menuPlace_; ///< of the context menu that is open
 };
 
 } // namespace kriva::ui

@@ -41,6 +41,8 @@ Actions::Actions(QWidget* window)
     deleteCurve = make("deleteCurve", QT_TRANSLATE_NOOP("Actions", "De&lete the curve"));
     nextCurve = make("nextCurve", QT_TRANSLATE_NOOP("Actions", "Ne&xt curve"));
     reverseCurve = make("reverseCurve", QT_TRANSLATE_NOOP("Actions", "&Reverse"));
+    insertPoint = make("insertPoint", QT_TRANSLATE_NOOP("Actions", "&Insert a point"), QKeySequence(Qt::Key_Insert));
+    insertPoint->setShortcutContext(Qt::WidgetShortcut); // the canvas takes the key itself
 
     renameCurve = make("renameCurve", QT_TRANSLATE_NOOP("Actions", "Rena&me"), QKeySequence(Qt::Key_F2));
     moveCurveUp = make("moveCurveUp", QT_TRANSLATE_NOOP("Actions", "Move &up in the list"), {}, IconName::Up);

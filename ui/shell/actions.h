@@ -47,6 +47,7 @@ class Actions : public QObject {
     QAction* moveCurveUp;
     QAction* moveCurveDown;
     QAction* showCurve;
+    QAction* insertPoint;
     // View
     QAction* editTool;
     QAction* addTool;

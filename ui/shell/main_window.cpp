@@ -3,6 +3,7 @@
 #include "ui/document/error_text.h"
 #include "ui/shell/about_dialog.h"
 #include "ui/shell/actions.h"
+#include "ui/shell/context_menu.h"
 #include "ui/shell/document_session.h"
 #include "ui/shell/language/qt_texts.h"
 #include "ui/shell/menus.h"
@@ -74,6 +75,8 @@ void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
         connect(&tab->canvas(), &CanvasView::pointerMoved, status_, &StatusRow::showPointer);
         connect(&tab->canvas(), &CanvasView::zoomChanged, status_, &StatusRow::showZoom);
         connect(&tab->canvas(), &CanvasView::toolChanged, this, &MainWindow::followTab);
+        connect(&tab->canvas(), &CanvasView::contextMenuRequested, this,
+                [this, tab](QPoint at, const Hit& under) { openContextMenu(*tab, *actions_, at, under); });
         connect(&tab->editor(), &SheetEditor::selectionChanged, this, &MainWindow::followSelection);
     }
     connect(tabWidget_, &QTabWidget::currentChanged, this,
@@ -136,6 +139,7 @@ void MainWindow::connectEditActions() {
     onEditor(actions_->selectAll, &SheetEditor::selectAll);
     onEditor(actions_->selectNone, &SheetEditor::selectNone);
     onEditor(actions_->selectInverse, &SheetEditor::invertSelection);
+    connect(actions_->insertPoint, &QAction::triggered, this, [this] { currentTab().insertPointHere(); });
     onEditor(actions_->newCurve, &SheetEditor::newCurve);
     onEditor(actions_->nextCurve, &SheetEditor::activateNextCurve);
     onEditor(actions_->reverseCurve, &SheetEditor::reverse);
@@ -187,6 +191,7 @@ QString MainWindow::sheetTitle(SheetIndex sheet) const {
 void MainWindow::followTab() {
     const SheetIndex sheet = document_.value().active;
     tabWidget_->setCurrentIndex(static_cast<int>(sheet));
+    menus_->setSheetActions(tabs_[sheet]->actions().all());
     menus_->setPanels(tabs_[sheet]->panels().actions());
     CanvasView& canvas = tabs_[sheet]->canvas();
     actions_->editTool->setChecked(canvas.tool() == Tool::edit);

@@ -60,13 +60,13 @@ void Menus::fillEdit(const Actions& actions) {
 }
 
 void Menus::fillCurve(const Actions& actions) {
-    QMenu* curve = add(nullptr, QT_TRANSLATE_NOOP("Menus", "&Curve"));
-    curve->addActions(
-        {actions.newCurve, actions.nextCurve, actions.duplicateCurve, actions.deleteCurve, actions.reverseCurve});
-    curve->addSeparator();
-    curve->addActions({actions.renameCurve, actions.showCurve, actions.moveCurveUp, actions.moveCurveDown});
-    curve->addSeparator();
-    otherSheets_ = add(curve, QT_TRANSLATE_NOOP("Menus", "Use these &points in"));
+    curve_ = add(nullptr, QT_TRANSLATE_NOOP("Menus", "&Curve"));
+    curve_->addActions({actions.newCurve, actions.nextCurve, actions.duplicateCurve, actions.deleteCurve,
+                        actions.reverseCurve, actions.insertPoint});
+    curve_->addSeparator();
+    curve_->addActions({actions.renameCurve, actions.showCurve, actions.moveCurveUp, actions.moveCurveDown});
+    curve_->addSeparator();
+    otherSheets_ = add(curve_, QT_TRANSLATE_NOOP("Menus", "Use these &points in"));
 }
 
 void Menus::fillView(const Actions& actions) {
@@ -141,6 +141,13 @@ void Menus::setLanguage(Language language) {
 
 void Menus::setThemeChoice(ThemeChoice choice) {
     themes_[static_cast<std::size_t>(choice)].action->setChecked(true);
+}
+
+void Menus::setSheetActions(const QList<QAction*>& actions) {
+    for (QAction* action : sheetActions_)
+        curve_->removeAction(action);
+    sheetActions_ = actions;
+    curve_->addActions(actions);
 }
 
 void Menus::setPanels(const QList<QAction*>& panels) {

@@ -21,6 +21,8 @@ class Menus : public QObject {
     void setRecentFiles(const QStringList& paths);
     void setLanguage(Language language);
     void setThemeChoice(ThemeChoice choice);
+    /// What only the shown tab can do.
+    void setSheetActions(const QList<QAction*>& actions);
     /// The panels of the shown tab.
     void setPanels(const QList<QAction*>& panels);
     /// The other tabs, to which the points of a curve can go.
@@ -61,6 +63,8 @@ class Menus : public QObject {
     std::vector<Choice> examples_;
     std::vector<QAction*> languages_;
     QMenu* recent_ = nullptr;
+    QMenu* curve_ = nullptr;
+    QList<QAction*> sheetActions_;
     QMenu* panels_ = nullptr;
     QMenu* otherSheets_ = nullptr;
     QAction* resetPanels_ = nullptr;

@@ -45,6 +45,7 @@ RC_GTEST_PROP(Nearest, isNoFartherThanAnySample, ()) {
     RC_ASSERT(0 <= found.t && found.t <= 1);
     RC_ASSERT(distance(evaluate(curve, found.t), found.at) == 0);
     RC_ASSERT(found.distance == distance(found.at, point));
+    RC_ASSERT(leastDistance(curve, point) <= found.distance * (1 + 1e-12));
     for (int i = 0; i <= 500; ++i)
         RC_ASSERT(found.distance <= distance(evaluate(curve, i / 500.0), point) + 1e-12 * 3000);
 }

@@ -1,3 +1,5 @@
+#include "core/bezier/evaluate.h"
+#include "core/combined/combined.h"
 #include "core/combined/combined_edits.h"
 #include "core/document/limits.h"
 
@@ -141,6 +143,46 @@ TEST(CombinedEdits, interpolationLimitsTheRuns) {
     EXPECT_EQ(mostPoints(curve), limits::kControlPoints);
     curve.method = CombinedCurve::Method::pairs;
     EXPECT_EQ(mostPoints(curve), limits::kPointsInCurve);
+}
+
+TEST(CombinedEdits, aPointInsertedIntoAnInterpolationKeepsItsShape) {
+    CombinedCurve curve;
+    curve.points = {{0, 0}, {1, 2}, {3, 1}, {4, 5}, {2, 6}};
+    curve.method = CombinedCurve::Method::interpolation;
+    const Points before = combine(curve).path.front().curve.points;
+    const Edited<CombinedCurve> edited = *withPointInserted(curve, {2, 1.7});
+    EXPECT_EQ(edited.map(1), 1);
+    EXPECT_EQ(edited.map(2), 3);
+    const Points after = combine(edited.curve).path.front().curve.points;
+    for (const double t : {0.1, 0.4, 0.9})
+        EXPECT_NEAR(distance(evaluate(after, t), evaluate(before, t)), 0, 1e-12);
+}
+
+TEST(CombinedEdits, aPointIsInsertedBehindAnotherOnThePath) {
+    CombinedCurve curve;
+    curve.points = {{0, 0}, {1, 2}, {3, 1}, {2, 6}};
+    curve.degree = 1;
+    const auto inserted = [&](std::optional<int> point) {
+        const Edited<CombinedCurve> edited = *withPointInsertedBehind(curve, point);
+        int index = 0;
+        while (edited.map(index) == index)
+            ++index;
+        return std::pair(index, edited.curve.points[static_cast<std::size_t>(index)]);
+    };
+    EXPECT_EQ(inserted(0).first, 1);
+    EXPECT_EQ(inserted(0).second.x, 0.5);
+    EXPECT_EQ(inserted(3).first, 3) << "before the last point";
+    EXPECT_EQ(inserted({}).first, 3) << "where two neighbours are farthest apart";
+    curve.method = CombinedCurve::Method::pairs;
+    EXPECT_EQ(inserted(1).first, 2);
+    EXPECT_FALSE(withPointInsertedBehind(CombinedCurve{}, {}));
+}
+
+TEST(CombinedEdits, aPointCanBeInsertedBetweenPointsInOnePlace) {
+    CombinedCurve curve;
+    curve.points = {{1, 1}, {1, 1}};
+    EXPECT_EQ(withPointInserted(curve, {2, 2})->curve.points, (Points{{1, 1}, {2, 2}, {1, 1}}));
+    EXPECT_EQ(withPointInsertedBehind(curve, {})->curve.points, Points(3, Point{1, 1}));
 }
 
 } // namespace

@@ -131,5 +131,21 @@ TEST(SegmentPulled, leavesParabolasAlone) {
     EXPECT_EQ(withSegmentPulled(curve, 0, 0.5, {1, 1}), curve);
 }
 
+TEST(PointInsertedBehind, cutsTheSegmentBehindTheKnotOrTheLongest) {
+    const SplineCurve open = curveThrough(Rule::mirror, {{0, 0}, {1, 0}, {9, 0}, {10, 0}});
+    const auto newKnot = [](const SplineCurve& curve, std::optional<int> knot) {
+        const std::optional<Edited<SplineCurve>> edited = withPointInsertedBehind(curve, knot);
+        int index = 0;
+        while (index < static_cast<int>(curve.knots.size()) && edited->map(index) == index)
+            ++index;
+        return index;
+    };
+    EXPECT_EQ(newKnot(open, {}), 2);
+    EXPECT_EQ(newKnot(open, 0), 1);
+    EXPECT_EQ(newKnot(open, 3), 3) << "before the last knot of an open chain";
+    EXPECT_EQ(newKnot(withClosed(open, true), 3), 4);
+    EXPECT_FALSE(withPointInsertedBehind(curveThrough(Rule::mirror, {{0, 0}}), {}));
+}
+
 } // namespace
 } // namespace kriva

@@ -17,6 +17,8 @@ class RecordingClient : public CanvasClient {
     void addPoint(Point at) override { note(QStringLiteral("add ") + text(at)); }
     void addPointOn(GripRef grip, Point at) override { note(QStringLiteral("add on %1 ").arg(text(grip)) + text(at)); }
     void insertPoint(Serial curve, Point at) override { note(QStringLiteral("insert into %1 ").arg(curve) + text(at)); }
+    void insertPointBehindSelected() override { note(QStringLiteral("insert")); }
+    void retractHandle(GripRef handle) override { note(QStringLiteral("retract ") + text(handle)); }
     void removePoint(GripRef grip) override { note(QStringLiteral("remove ") + text(grip)); }
     void removeSelected(Removal removal) override {
         note(removal == Removal::plain ? QStringLiteral("remove selected plainly") : QStringLiteral("remove selected"));
@@ -31,10 +33,16 @@ class RecordingClient : public CanvasClient {
     void activateCurve(Serial curve) override { note(QStringLiteral("activate %1").arg(curve)); }
     void beginDrag(GripRef grip) override { note(QStringLiteral("begin ") + text(grip)); }
     void beginAddDrag(Point at) override { note(QStringLiteral("begin adding ") + text(at)); }
+    void beginInsertDrag(Serial curve, Point at) override {
+        note(QStringLiteral("begin inserting %1 ").arg(curve) + text(at));
+    }
     void beginCurveDrag(Serial curve, Point at) override {
         note(QStringLiteral("begin curve %1 ").arg(curve) + text(at));
     }
-    void drag(Vector by, Qt::KeyboardModifiers) override { note(QStringLiteral("drag ") + text({by.x, by.y})); }
+    void drag(Vector by, const DragKeys& keys) override {
+        note(QStringLiteral("drag ") + text({by.x, by.y}));
+        dragKeys = keys;
+    }
     void endDrag() override { note(QStringLiteral("end")); }
     void cancelDrag() override { note(QStringLiteral("cancel")); }
     void nudge(Vector by) override { note(QStringLiteral("nudge ") + text({by.x, by.y})); }
@@ -46,6 +54,7 @@ class RecordingClient : public CanvasClient {
     CanvasView* view = nullptr;
     QStringList log;
     Hit hovered;
+    DragKeys dragKeys;
     Qt::KeyboardModifiers hoverModifiers;
 
   private:

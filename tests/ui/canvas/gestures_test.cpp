@@ -110,13 +110,47 @@ TEST_F(Gesture, aModifierPressedDuringADragTakesEffectAtOnce) {
     EXPECT_EQ(wishes().mid(2), list({"drag 30,10", "drag 30,0", "drag 30,10", "end"}));
 }
 
+TEST_F(Gesture, spaceDuringADragIsToldAtOnceAndPansNothing) {
+    press({-100, -60});
+    move({-100, -40});
+    QTest::keyPress(&view, Qt::Key_Space);
+    EXPECT_TRUE(client.dragKeys.isSpaceHeld);
+    move({-90, -40});
+    QTest::keyRelease(&view, Qt::Key_Space);
+    EXPECT_FALSE(client.dragKeys.isSpaceHeld);
+    release({-90, -40});
+    EXPECT_EQ(wishes().mid(2), list({"drag 0,20", "drag 0,20", "drag 10,20", "drag 10,20", "end"}));
+    EXPECT_EQ(view.mapping().centre, (Point{0, 0}));
+}
+
+TEST_F(Gesture, ctrlAndAClickRetractAHandle) {
+    click({-100, -60}, Qt::ControlModifier);
+    click({0, 100}, Qt::ControlModifier);
+    EXPECT_EQ(wishes(), list({"retract 1h:0", "select 1:1"}));
+}
+
+TEST_F(Gesture, theGhostIsThereUntilThePointerLeavesOrDrags) {
+    const auto leave = [this] {
+        QEvent event(QEvent::Leave);
+        QApplication::sendEvent(view.viewport(), &event);
+    };
+    view.setGhost(Point{0, 50});
+    leave();
+    EXPECT_EQ(view.ghost(), std::nullopt);
+    view.setGhost(Point{0, 50});
+    drag({0, 50}, {0, 60});
+    EXPECT_EQ(view.ghost(), std::nullopt);
+}
+
 TEST_F(Gesture, aDragOfTheCurveOrWithTheAddToolBeginsWhereItWasPressed) {
     drag({0, 50}, {0, 60});
     view.setTool(Tool::add);
     drag({50, -50}, {60, -50});
+    drag({0, 50}, {0, 60});
     drag({0, 100}, {0, 110});
-    EXPECT_EQ(wishes(), list({"begin curve 1 0,50", "drag 0,10", "end", "begin adding 50,-50", "drag 10,0", "end",
-                              "select 1:1", "begin 1:1", "drag 0,10", "end"}));
+    EXPECT_EQ(wishes(),
+              list({"begin curve 1 0,50", "drag 0,10", "end", "begin adding 50,-50", "drag 10,0", "end",
+                    "begin inserting 1 0,50", "drag 0,10", "end", "select 1:1", "begin 1:1", "drag 0,10", "end"}));
 }
 
 TEST_F(Gesture, escAndTheRightButtonTakeADragBack) {

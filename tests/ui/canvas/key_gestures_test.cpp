@@ -71,6 +71,15 @@ TEST_F(KeyGesture, actionsOfTheCanvasAreTriggeredByTheirKeys) {
     EXPECT_EQ(triggered.size(), 1);
 }
 
+TEST_F(KeyGesture, insertGoesWhereThePointerIsOnACurveElseToTheSelection) {
+    key(Qt::Key_Insert);
+    move({0, 50});
+    key(Qt::Key_Insert);
+    move({0, -100});
+    key(Qt::Key_Insert);
+    EXPECT_EQ(wishes(), list({"insert", "insert into 1 0,50", "insert"}));
+}
+
 TEST_F(KeyGesture, keysWaitWhileAButtonIsDown) {
     view.setSelection({point(1)});
     press({0, 100});

@@ -17,6 +17,9 @@ constexpr double kSnapWidth = 1.5;
 
 constexpr float kBandOpacity = 0.15F;
 
+constexpr double kGhostRadius = 4.5; // pixels
+constexpr double kGhostOpacity = 0.6;
+
 [[nodiscard]] Color toCore(const QColor& color) {
     return {static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
             static_cast<std::uint8_t>(color.blue())};
@@ -59,6 +62,15 @@ void paintSnap(QPainter& painter, const Snap& snap, const HighlightColors& color
         painter.drawLine(at - down, at + down);
         break;
     }
+}
+
+void paintGhost(QPainter& painter, QPointF at, const HighlightColors& colors) {
+    painter.save();
+    painter.setOpacity(kGhostOpacity);
+    painter.setPen(colors.ink);
+    painter.setBrush(colors.accent);
+    painter.drawEllipse(at, kGhostRadius, kGhostRadius);
+    painter.restore();
 }
 
 void paintRubberBand(QPainter& painter, const QRectF& band, const HighlightColors& colors) {

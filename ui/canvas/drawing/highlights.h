@@ -22,6 +22,9 @@ struct HighlightColors {
 /// the grid.
 void paintSnap(QPainter& painter, const Snap& snap, const HighlightColors& colors, const Viewport& viewport);
 
+/// The dot where a point would be inserted, in pixels.
+void paintGhost(QPainter& painter, QPointF at, const HighlightColors& colors);
+
 /// The rectangle in which points are being selected, in pixels.
 void paintRubberBand(QPainter& painter, const QRectF& band, const HighlightColors& colors);
 

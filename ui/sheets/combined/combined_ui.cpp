@@ -1,12 +1,36 @@
 #include "ui/sheets/combined/combined_ui.h"
 
+#include "core/document/limits.h"
 #include "ui/sheets/combined/combined_properties.h"
 
 namespace kriva::ui {
+namespace {
+
+SheetNumber degreeNumber() {
+    return {QT_TRANSLATE_NOOP("SheetActions", "Raise the degree"),
+            QT_TRANSLATE_NOOP("SheetActions", "Lower the degree"),
+            {QT_TRANSLATE_NOOP("Step", "Set the degree")},
+            [](const Curve& curve) { return std::get<CombinedCurve>(curve).degree; },
+            [](const Curve& curve) {
+                const CombinedCurve& value = std::get<CombinedCurve>(curve);
+                const bool isFixed = value.method == CombinedCurve::Method::interpolation;
+                return isFixed ? SheetNumber::Range{value.degree, value.degree}
+                               : SheetNumber::Range{limits::kFitDegreeLow, limits::kFitDegreeHigh};
+            },
+            [](const Curve& curve, int degree) {
+                CombinedCurve changed = std::get<CombinedCurve>(curve);
+                changed.degree = degree;
+                return changed;
+            }};
+}
+
+} // namespace
 
 SheetUi combinedUi() {
     return {QT_TRANSLATE_NOOP("Sheet", "Combined"),
             [](SheetEditor& editor, QWidget* parent) { return new CombinedProperties(editor, parent); },
+            {},
+            degreeNumber(),
             {}};
 }
 

@@ -1,6 +1,9 @@
 #include "ui/sheets/spline/spline_ui.h"
 
+#include "core/document/limits.h"
+#include "core/spline/chain_edits.h"
 #include "core/spline/joins.h"
+#include "ui/sheets/spline/spline_actions.h"
 #include "ui/sheets/spline/spline_properties.h"
 
 #include <QCoreApplication>
@@ -30,12 +33,25 @@ PointColumn joinColumn() {
             {QT_TRANSLATE_NOOP("Step", "Set the join")}};
 }
 
+SheetNumber degreeNumber() {
+    return {QT_TRANSLATE_NOOP("SheetActions", "Raise the degree"),
+            QT_TRANSLATE_NOOP("SheetActions", "Lower the degree"),
+            {QT_TRANSLATE_NOOP("Step", "Set the degree")},
+            [](const Curve& curve) { return std::get<SplineCurve>(curve).degree; },
+            [](const Curve&) {
+                return SheetNumber::Range{limits::kSplineDegreeLow, limits::kSplineDegreeHigh};
+            },
+            [](const Curve& curve, int degree) { return withDegree(std::get<SplineCurve>(curve), degree); }};
+}
+
 } // namespace
 
 SheetUi splineUi() {
     return {QT_TRANSLATE_NOOP("Sheet", "Spline"),
             [](SheetEditor& editor, QWidget* parent) { return new SplineProperties(editor, parent); },
-            {joinColumn()}};
+            {joinColumn()},
+            degreeNumber(),
+            splineActions()};
 }
 
 } // namespace kriva::ui

@@ -4,6 +4,8 @@
 #include "ui/sheets/subdivision/subdivision_properties.h"
 #include "ui/shell/language/number_text.h"
 
+#include <algorithm>
+
 namespace kriva::ui {
 namespace {
 
@@ -25,12 +27,26 @@ PointColumn multiplicityColumn() {
         {QT_TRANSLATE_NOOP("Step", "Set the multiplicity")}};
 }
 
+SheetNumber levelsNumber() {
+    return {QT_TRANSLATE_NOOP("SheetActions", "One level more"),
+            QT_TRANSLATE_NOOP("SheetActions", "One level fewer"),
+            {QT_TRANSLATE_NOOP("Step", "Set the levels")},
+            [](const Curve& curve) { return std::get<SubdivisionCurve>(curve).levels; },
+            [](const Curve& curve) {
+                const std::size_t count = controlPointCount(std::get<SubdivisionCurve>(curve));
+                return SheetNumber::Range{0, mostLevels(std::max<std::size_t>(count, 2))};
+            },
+            [](const Curve& curve, int levels) { return withLevels(std::get<SubdivisionCurve>(curve), levels); }};
+}
+
 } // namespace
 
 SheetUi subdivisionUi() {
     return {QT_TRANSLATE_NOOP("Sheet", "Subdivision"),
             [](SheetEditor& editor, QWidget* parent) { return new SubdivisionProperties(editor, parent); },
-            {multiplicityColumn()}};
+            {multiplicityColumn()},
+            levelsNumber(),
+            {}};
 }
 
 } // namespace kriva::ui

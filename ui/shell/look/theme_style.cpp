@@ -30,6 +30,11 @@ void drawRightEdge(QPainter& painter, const QStyleOption& option) {
 ThemeStyle::ThemeStyle()
     : QProxyStyle(QStringLiteral("Fusion")) {}
 
+int ThemeStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                          QStyleHintReturn* data) const {
+    return hint == SH_MenuBar_AltKeyNavigation ? 0 : QProxyStyle::styleHint(hint, option, widget, data);
+}
+
 QIcon ThemeStyle::standardIcon(StandardPixmap which, const QStyleOption* option, const QWidget* widget) const {
     switch (which) {
     case SP_TitleBarCloseButton:

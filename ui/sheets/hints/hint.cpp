@@ -1,4 +1,4 @@
-#include "ui/sheets/hint.h"
+#include "ui/sheets/hints/hint.h"
 
 #include <QCoreApplication>
 #include <QLocale>
