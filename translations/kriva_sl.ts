@@ -177,7 +177,7 @@
     </message>
     <message>
         <source>&amp;Insert a point</source>
-        <translation>&amp;Vstavi točko</translation>
+        <translation>Vst&amp;avi točko</translation>
     </message>
 </context>
 <context>

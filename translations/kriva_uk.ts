@@ -177,7 +177,7 @@
     </message>
     <message>
         <source>&amp;Insert a point</source>
-        <translation>&amp;Вставити точку</translation>
+        <translation>Вставити то&amp;чку</translation>
     </message>
 </context>
 <context>

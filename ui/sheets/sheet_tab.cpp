@@ -231,10 +231,6 @@ void SheetTab::cancelDrag() {
     drag_.cancel();
 }
 
-void SheetTab::nudge(Vector by) {
-    editor_.nudge(by);
-}
-
 void SheetTab::hover(const Hit& under, Point at, Qt::KeyboardModifiers modifiers) {
     const Pointing now{under, at, modifiers, canvas_->tool()};
     const bool wouldAdd = isSnapping_ && now.tool == Tool::add && !under.curve;

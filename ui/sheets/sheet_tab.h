@@ -60,8 +60,8 @@ class SheetTab : public QMainWindow, private CanvasClient {
     void beginInsertDrag(Serial curve, Point at) override;
     void beginCurveDrag(Serial curve, Point at) override;
     void drag(Vector by, const DragKeys& keys) override;
-    void endDrag() override { drag_.end(); }
-    void cancelDrag() override { drag_.cancel(); }
+    void endDrag() override;
+    void cancelDrag() override;
     void nudge(Vector by) override { editor_.nudge(by); }
     void hover(const Hit& under, Point at, Qt::KeyboardModifiers modifiers) override;
 
