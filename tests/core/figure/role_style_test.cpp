@@ -75,7 +75,7 @@ TEST(RoleStyle, standsOutFromThePaper) {
 
 TEST(RoleStyle, followsTheStyleOfItsCurve) {
     Stroke stroke;
-    stroke.style = {Color{1, 2, 3}, 4.5};
+    stroke.style = {Color{1, 2, 3}, 4.5, {}, {}};
     EXPECT_EQ(styleOf(stroke, Theme::light).color, (Color{1, 2, 3}));
     EXPECT_EQ(styleOf(stroke, Theme::light).width, 4.5);
 }
