@@ -34,7 +34,9 @@ std::size_t derivedPointCount(const SubdivisionCurve& curve) {
 std::size_t mostPoints(const SubdivisionCurve& curve) {
     const std::size_t repetitions = controlPointCount(curve) - curve.points.size();
     const std::size_t most = mostControlPoints(curve.levels);
-    return most > repetitions ? most - repetitions : 0;
+    const std::size_t room = most > repetitions ? most - repetitions : 0;
+    // What is still being drawn may stand beyond its limits until the next point comes.
+    return isIncomplete(curve) ? std::max(room, curve.points.size()) : room;
 }
 
 SubdivisionCurve withGripsMoved(const SubdivisionCurve& curve, std::span<const GripId> ids, Vector by) {
