@@ -45,8 +45,8 @@ void openContextMenu(SheetTab& tab, const Actions& actions, QPoint globalPositio
     menu->setAttribute(Qt::WA_DeleteOnClose);
     for (QAction* action : contextActions(under, actions, tab))
         action ? menu->addAction(action) : static_cast<void>(menu->addSeparator());
-    // Not when it closes: what was chosen is carried out after that.
-    QObject::connect(menu, &QObject::destroyed, &tab, &SheetTab::endMenu);
+    // Not when it closes: what was chosen is carried out after that. The editor ends before the tab's children do.
+    QObject::connect(menu, &QObject::destroyed, &tab.editor(), [&tab] { tab.endMenu(); });
     menu->popup(globalPosition);
 }
 

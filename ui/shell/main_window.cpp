@@ -7,6 +7,7 @@
 #include "ui/shell/document_session.h"
 #include "ui/shell/language/qt_texts.h"
 #include "ui/shell/menus.h"
+#include "ui/shell/physical_shortcuts.h"
 #include "ui/shell/preferences.h"
 #include "ui/shell/status_row.h"
 #include "ui/shell/tab_actions.h"
@@ -49,6 +50,7 @@ MainWindow::MainWindow(const Surroundings& surroundings)
     menus_->setThemeChoice(surroundings_.theme.theme());
     if (!restoreGeometry(surroundings_.preferences.windowGeometry()))
         resize(1280, 800);
+    new PhysicalShortcuts(*this);
     followTab();
     showTheme();
     retranslateUi();
