@@ -115,7 +115,7 @@ RC_GTEST_PROP(RetractingHandles, putsThemOnTheirKnotsAndPullsThemOutAgain, ()) {
         RC_ASSERT(!handles[i].out || *handles[i].out == curve.knots[i].at);
     }
     RC_ASSERT(withHandlesRetracted(retracted, all) == retracted);
-    SplineCurve plain = curve;
+    SplineCurve plain = retracted;
     for (SplineKnot& knot : plain.knots)
         knot.join = Join::automatic;
     const std::vector<KnotHandles> placed = knotHandles(plain);
