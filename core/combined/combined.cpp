@@ -1,6 +1,6 @@
 #include "core/combined/combined.h"
 
-#include "core/bezier/curvature.h"
+#include "core/bezier/measures/curvature.h"
 #include "core/geometry/box.h"
 
 #include <cassert>

@@ -1,7 +1,7 @@
 #include "core/combined/combined_figure.h"
 
-#include "core/bezier/curvature.h"
 #include "core/bezier/evaluate.h"
+#include "core/bezier/measures/curvature.h"
 #include "core/combined/combined.h"
 #include "core/figure/labels.h"
 

@@ -1,9 +1,9 @@
 #include "core/combined/path_measures.h"
 
-#include "core/bezier/arc_length.h"
-#include "core/bezier/bending_energy.h"
 #include "core/bezier/bounds.h"
-#include "core/bezier/curvature.h"
+#include "core/bezier/measures/arc_length.h"
+#include "core/bezier/measures/bending_energy.h"
+#include "core/bezier/measures/curvature.h"
 #include "core/geometry/compensated_sum.h"
 
 #include <algorithm>

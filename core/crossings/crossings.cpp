@@ -1,8 +1,8 @@
 #include "core/crossings/crossings.h"
 
 #include "core/bezier/bounds.h"
-#include "core/bezier/curvature.h"
 #include "core/bezier/evaluate.h"
+#include "core/bezier/measures/curvature.h"
 #include "core/crossings/chain_links.h"
 #include "core/crossings/double_points.h"
 #include "core/crossings/places.h"

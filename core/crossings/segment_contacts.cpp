@@ -1,7 +1,7 @@
 #include "core/crossings/segment_contacts.h"
 
-#include "core/bezier/curvature.h"
 #include "core/bezier/evaluate.h"
+#include "core/bezier/measures/curvature.h"
 #include "core/crossings/common_parts.h"
 #include "core/crossings/contact_search.h"
 #include "core/crossings/flattest_contact.h"

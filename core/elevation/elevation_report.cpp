@@ -1,7 +1,7 @@
 #include "core/elevation/elevation_report.h"
 
-#include "core/bezier/arc_length.h"
 #include "core/bezier/bounds.h"
+#include "core/bezier/measures/arc_length.h"
 
 namespace kriva {
 

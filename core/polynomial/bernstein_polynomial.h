@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/polynomial/double_double.h"
+#include "core/numbers/double_double.h"
 
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/point.h"
-#include "core/polynomial/double_double.h"
+#include "core/numbers/double_double.h"
 
 /// Polynomials made of a curve's derivative c(t): what speed and curvature are made of.
 namespace kriva {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/polynomial/big_float.h"
+#include "core/numbers/big_float.h"
 
 #include <span>
 

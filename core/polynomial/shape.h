@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/point.h"
-#include "core/polynomial/double_double.h"
+#include "core/numbers/double_double.h"
 
 namespace kriva {
 

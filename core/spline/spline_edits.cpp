@@ -1,7 +1,7 @@
 #include "core/spline/spline_edits.h"
 
 #include "core/document/limits.h"
-#include "core/spline/joins.h"
+#include "core/spline/editing/joins.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "core/bezier/evaluate.h"
 #include "core/figure/labels.h"
-#include "core/spline/joins.h"
+#include "core/spline/editing/joins.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #include "core/spline/spline_report.h"
 
-#include "core/bezier/arc_length.h"
-#include "core/bezier/bending_energy.h"
 #include "core/bezier/bounds.h"
-#include "core/bezier/curvature_extrema.h"
+#include "core/bezier/measures/arc_length.h"
+#include "core/bezier/measures/bending_energy.h"
+#include "core/bezier/measures/curvature_extrema.h"
 #include "core/figure/labels.h"
 #include "core/geometry/compensated_sum.h"
 

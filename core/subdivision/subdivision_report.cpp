@@ -1,7 +1,7 @@
 #include "core/subdivision/subdivision_report.h"
 
-#include "core/bezier/arc_length.h"
 #include "core/bezier/bounds.h"
+#include "core/bezier/measures/arc_length.h"
 
 namespace kriva {
 namespace {

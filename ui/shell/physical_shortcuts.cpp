@@ -1,6 +1,6 @@
 #include "ui/shell/physical_shortcuts.h"
 
-#include "ui/canvas/key_gestures.h"
+#include "ui/canvas/gestures/key_gestures.h"
 
 #include <QApplication>
 #include <QKeyEvent>

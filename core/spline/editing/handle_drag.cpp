@@ -1,7 +1,7 @@
 #include "core/spline/editing/handle_drag.h"
 
-#include "core/spline/chain_edits.h"
-#include "core/spline/joins.h"
+#include "core/spline/editing/chain_edits.h"
+#include "core/spline/editing/joins.h"
 #include "core/spline/spline_edits.h"
 
 #include <algorithm>

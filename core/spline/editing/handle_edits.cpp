@@ -1,6 +1,6 @@
 #include "core/spline/editing/handle_edits.h"
 
-#include "core/spline/joins.h"
+#include "core/spline/editing/joins.h"
 
 #include <algorithm>
 

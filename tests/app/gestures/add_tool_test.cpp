@@ -1,5 +1,5 @@
 #include "core/document/document_drags.h"
-#include "core/spline/chain_edits.h"
+#include "core/spline/editing/chain_edits.h"
 #include "tests/support/canvas_hand.h"
 
 namespace kriva::ui {

@@ -1,4 +1,4 @@
-#include "core/spline/joins.h"
+#include "core/spline/editing/joins.h"
 #include "tests/support/canvas_hand.h"
 
 namespace kriva::ui {

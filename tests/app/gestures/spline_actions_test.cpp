@@ -1,6 +1,6 @@
-#include "core/spline/chain_edits.h"
+#include "core/spline/editing/chain_edits.h"
 #include "core/spline/editing/handle_edits.h"
-#include "core/spline/joins.h"
+#include "core/spline/editing/joins.h"
 #include "tests/support/canvas_hand.h"
 
 #include <QMenuBar>

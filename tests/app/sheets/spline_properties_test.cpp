@@ -1,5 +1,5 @@
-#include "core/spline/chain_edits.h"
-#include "core/spline/joins.h"
+#include "core/spline/editing/chain_edits.h"
+#include "core/spline/editing/joins.h"
 #include "tests/support/panel_test.h"
 #include "ui/sheets/properties_panel.h"
 

@@ -1,9 +1,9 @@
 #include "ui/sheets/spline/spline_actions.h"
 
-#include "core/spline/chain_edits.h"
+#include "core/spline/editing/chain_edits.h"
 #include "core/spline/editing/handle_drag.h"
 #include "core/spline/editing/handle_edits.h"
-#include "core/spline/joins.h"
+#include "core/spline/editing/joins.h"
 #include "ui/sheets/sheet_editor.h"
 
 #include <QCoreApplication>

@@ -1,8 +1,8 @@
 #include "ui/sheets/spline/spline_ui.h"
 
 #include "core/document/limits.h"
-#include "core/spline/chain_edits.h"
-#include "core/spline/joins.h"
+#include "core/spline/editing/chain_edits.h"
+#include "core/spline/editing/joins.h"
 #include "ui/sheets/spline/spline_actions.h"
 #include "ui/sheets/spline/spline_properties.h"
 

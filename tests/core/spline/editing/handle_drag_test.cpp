@@ -1,5 +1,5 @@
 #include "core/spline/editing/handle_drag.h"
-#include "core/spline/joins.h"
+#include "core/spline/editing/joins.h"
 #include "core/spline/spline_edits.h"
 #include "tests/core/spline/spline_values.h"
 

@@ -1,8 +1,8 @@
-#include "ui/canvas/key_gestures.h"
+#include "ui/canvas/gestures/key_gestures.h"
 
 #include "ui/canvas/canvas_view.h"
 #include "ui/canvas/drawing/grid.h"
-#include "ui/canvas/gestures.h"
+#include "ui/canvas/gestures/gestures.h"
 
 #include <QAction>
 #include <QGuiApplication>

@@ -1,11 +1,11 @@
-#include "core/spline/chain_edits.h"
+#include "core/spline/editing/chain_edits.h"
 
-#include "core/bezier/arc_length.h"
 #include "core/bezier/elevate.h"
 #include "core/bezier/evaluate.h"
+#include "core/bezier/measures/arc_length.h"
 #include "core/bezier/nearest.h"
 #include "core/bezier/subdivide.h"
-#include "core/spline/joins.h"
+#include "core/spline/editing/joins.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "core/polynomial/double_double.h"
+#include "core/numbers/double_double.h"
 #include "tests/core/polynomial/any_number.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ui/canvas/drags.h"
+#include "ui/canvas/gestures/drags.h"
 
 #include "core/document/document_drags.h"
 #include "ui/canvas/canvas_view.h"

@@ -1,4 +1,4 @@
-#include "core/spline/joins.h"
+#include "core/spline/editing/joins.h"
 #include "tests/core/spline/spline_values.h"
 
 namespace kriva {

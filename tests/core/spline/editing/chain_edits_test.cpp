@@ -1,6 +1,6 @@
 #include "core/bezier/evaluate.h"
-#include "core/spline/chain_edits.h"
-#include "core/spline/joins.h"
+#include "core/spline/editing/chain_edits.h"
+#include "core/spline/editing/joins.h"
 #include "tests/core/spline/spline_values.h"
 
 namespace kriva {

@@ -1,4 +1,4 @@
-#include "ui/canvas/clicks.h"
+#include "ui/canvas/gestures/clicks.h"
 
 #include "core/document/document_drags.h"
 #include "ui/canvas/canvas_view.h"

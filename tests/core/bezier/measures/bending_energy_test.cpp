@@ -1,6 +1,6 @@
-#include "core/bezier/bending_energy.h"
-#include "core/bezier/curvature.h"
 #include "core/bezier/elevate.h"
+#include "core/bezier/measures/bending_energy.h"
+#include "core/bezier/measures/curvature.h"
 #include "core/bezier/subdivide.h"
 #include "tests/support/any_curve.h"
 

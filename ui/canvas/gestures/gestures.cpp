@@ -1,7 +1,7 @@
-#include "ui/canvas/gestures.h"
+#include "ui/canvas/gestures/gestures.h"
 
 #include "ui/canvas/canvas_view.h"
-#include "ui/canvas/drags.h"
+#include "ui/canvas/gestures/drags.h"
 #include "ui/canvas/qt_geometry.h"
 
 #include <QMouseEvent>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/canvas/clicks.h"
+#include "ui/canvas/gestures/clicks.h"
 
 namespace kriva::ui {
 

@@ -1,5 +1,5 @@
-#include "core/bezier/arc_length.h"
 #include "core/bezier/elevate.h"
+#include "core/bezier/measures/arc_length.h"
 #include "core/bezier/subdivide.h"
 #include "tests/support/any_curve.h"
 #include "tests/support/data_sets.h"

@@ -1,4 +1,4 @@
-#include "core/polynomial/big_float.h"
+#include "core/numbers/big_float.h"
 #include "tests/core/polynomial/any_number.h"
 
 #include <gtest/gtest.h>

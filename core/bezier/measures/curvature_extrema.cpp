@@ -1,6 +1,6 @@
-#include "core/bezier/curvature_extrema.h"
+#include "core/bezier/measures/curvature_extrema.h"
 
-#include "core/bezier/curvature.h"
+#include "core/bezier/measures/curvature.h"
 #include "core/polynomial/bernstein_polynomial.h"
 #include "core/polynomial/casteljau.h"
 #include "core/polynomial/hodograph_forms.h"

@@ -1,8 +1,8 @@
-#include "core/spline/removal.h"
+#include "core/spline/editing/removal.h"
 
-#include "core/bezier/curvature.h"
 #include "core/bezier/evaluate.h"
-#include "core/spline/joins.h"
+#include "core/bezier/measures/curvature.h"
+#include "core/spline/editing/joins.h"
 #include "core/spline/spline_edits.h"
 
 #include <algorithm>

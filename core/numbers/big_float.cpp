@@ -1,4 +1,4 @@
-#include "core/polynomial/big_float.h"
+#include "core/numbers/big_float.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "core/bezier/curvature.h"
+#include "core/bezier/measures/curvature.h"
 
 #include "core/bezier/evaluate.h"
 

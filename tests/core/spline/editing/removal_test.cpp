@@ -1,8 +1,8 @@
 #include "core/bezier/evaluate.h"
 #include "core/bezier/nearest.h"
-#include "core/spline/chain_edits.h"
-#include "core/spline/joins.h"
-#include "core/spline/removal.h"
+#include "core/spline/editing/chain_edits.h"
+#include "core/spline/editing/joins.h"
+#include "core/spline/editing/removal.h"
 #include "core/spline/spline_edits.h"
 #include "tests/core/spline/spline_values.h"
 

@@ -1,4 +1,4 @@
-#include "core/bezier/arc_length.h"
+#include "core/bezier/measures/arc_length.h"
 
 #include "core/polynomial/bernstein_polynomial.h"
 #include "core/polynomial/casteljau.h"

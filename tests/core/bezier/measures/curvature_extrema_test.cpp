@@ -1,7 +1,7 @@
-#include "core/bezier/curvature.h"
-#include "core/bezier/curvature_extrema.h"
 #include "core/bezier/elevate.h"
 #include "core/bezier/evaluate.h"
+#include "core/bezier/measures/curvature.h"
+#include "core/bezier/measures/curvature_extrema.h"
 #include "tests/support/any_curve.h"
 
 #include <gtest/gtest.h>
