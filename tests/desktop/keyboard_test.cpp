@@ -1,7 +1,9 @@
 #include "tests/support/test_window.h"
+#include "ui/panels/controls/number_field.h"
 
 #include <gtest/gtest.h>
 #include <QAbstractItemView>
+#include <QClipboard>
 #include <QMenu>
 #include <QMenuBar>
 #include <QProcess>
@@ -159,6 +161,16 @@ TEST_F(KeyboardTest, pointsAreChosenMovedJoinedAndRemoved) {
     ASSERT_TRUE(comesTrue([&] { return pointCount(*tab.editor().activeCurve()) == pointCount(before); }));
     press({kInsert});
     ASSERT_TRUE(comesTrue([&] { return pointCount(*tab.editor().activeCurve()) == pointCount(before) + 1; }));
+}
+
+TEST_F(KeyboardTest, fieldsHaveShortcutsOfTheirOwn) {
+    auto* degree = spline().findChild<NumberField*>();
+    ASSERT_TRUE(degree);
+    degree->setFocus();
+    press({kControl, codeOf('A')});
+    ASSERT_TRUE(comesTrue([&] { return degree->selectedText() == degree->text(); }));
+    press({kControl, codeOf('C')});
+    EXPECT_TRUE(comesTrue([&] { return QGuiApplication::clipboard()->text() == degree->text(); }));
 }
 
 TEST_F(KeyboardTest, tabsAreSwitchedByAltAndANumber) {

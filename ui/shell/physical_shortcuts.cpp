@@ -40,6 +40,15 @@ bool PhysicalShortcuts::carryOut(QObject& receiver, const QKeyEvent& event) {
     const Qt::Key key = physicalKey(event);
     if (key == event.key())
         return false;
+    // Fields have shortcuts of their own, which go before the window's.
+    QKeyEvent asked(QEvent::ShortcutOverride, key, event.modifiers());
+    asked.ignore();
+    QApplication::sendEvent(&receiver, &asked);
+    if (asked.isAccepted()) {
+        QKeyEvent press(QEvent::KeyPress, key, event.modifiers());
+        QApplication::sendEvent(&receiver, &press);
+        return true;
+    }
     const QKeySequence pressed(QKeyCombination(event.modifiers(), key));
     for (QAction* title : window_.menuBar()->actions()) {
         if (QKeySequence::mnemonic(title->text()) == pressed) {
@@ -53,9 +62,7 @@ bool PhysicalShortcuts::carryOut(QObject& receiver, const QKeyEvent& event) {
             return true;
         }
     }
-    QKeyEvent latin(QEvent::KeyPress, key, event.modifiers()); // fields have shortcuts of their own
-    QApplication::sendEvent(&receiver, &latin);
-    return latin.isAccepted();
+    return false;
 }
 
 } // namespace kriva::ui
