@@ -55,11 +55,11 @@ class Palette {
     [[nodiscard]] RoleStyle line(AnyInk ink, double width, std::span<const double> dashes = {}) const {
         return {(*this)(ink), width, std::vector(dashes.begin(), dashes.end()), Marker::none, 0, 0, {}};
     }
-    [[nodiscard]] RoleStyle filled(RoleStyle line, Marker marker, double size) const {
+    [[nodiscard]] RoleStyle filled(const RoleStyle& line, Marker marker, double size) const {
         // A rim in the paper's colour would eat small marks: they are filled to the edge.
         return {line.color, line.width, line.dashes, marker, size, 0, line.color};
     }
-    [[nodiscard]] RoleStyle hollow(RoleStyle line, Marker marker, double size, double outline) const {
+    [[nodiscard]] RoleStyle hollow(const RoleStyle& line, Marker marker, double size, double outline) const {
         return {line.color, line.width, line.dashes, marker, size, outline, (*this)(kPaper)};
     }
 

@@ -115,10 +115,10 @@ std::variant<Points, TableError> readPointsTable(const QString& text) {
     if (lines.size() > limits::kPointsInCurve)
         return TableError{Reason::tooManyPoints, 0, {}};
     // One way of reading for the whole table: a comma is the decimal sign in all lines or the separator in all.
-    const auto wide = pointsOf(lines, wideSeparator);
+    auto wide = pointsOf(lines, wideSeparator);
     if (std::holds_alternative<Points>(wide))
         return wide;
-    const auto narrow = pointsOf(lines, comma);
+    auto narrow = pointsOf(lines, comma);
     if (std::holds_alternative<Points>(narrow))
         return narrow;
     // What is told is the fault in the way of reading that came further.

@@ -9,6 +9,15 @@ namespace kriva::ui {
 Actions::Actions(QWidget* window)
     : QObject(window)
     , window_(window) {
+    makeFile();
+    makeEdit();
+    makeCurve();
+    makeView();
+    makeHelp();
+    retranslateUi();
+}
+
+void Actions::makeFile() {
     newDocument = make("new", QT_TRANSLATE_NOOP("Actions", "&New"), QKeySequence::New, IconName::New);
     open = make("open", QT_TRANSLATE_NOOP("Actions", "&Open…"), QKeySequence::Open, IconName::Open);
     save = make("save", QT_TRANSLATE_NOOP("Actions", "&Save"), QKeySequence::Save, IconName::Save);
@@ -17,7 +26,9 @@ Actions::Actions(QWidget* window)
                         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), IconName::Export);
     quit = make("quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q));
     quit->setMenuRole(QAction::QuitRole);
+}
 
+void Actions::makeEdit() {
     undo = make("undo", QT_TRANSLATE_NOOP("Actions", "&Undo"), QKeySequence::Undo, IconName::Undo);
     redo = make("redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z),
                 IconName::Redo);
@@ -34,7 +45,9 @@ Actions::Actions(QWidget* window)
                       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A));
     selectInverse = make("selectInverse", QT_TRANSLATE_NOOP("Actions", "&Invert the selection"),
                          QKeySequence(Qt::CTRL | Qt::Key_I));
+}
 
+void Actions::makeCurve() {
     newCurve = make("newCurve", QT_TRANSLATE_NOOP("Actions", "&New curve"), {}, IconName::AddPoint);
     duplicateCurve =
         make("duplicateCurve", QT_TRANSLATE_NOOP("Actions", "&Duplicate the curve"), {}, IconName::Duplicate);
@@ -43,12 +56,13 @@ Actions::Actions(QWidget* window)
     reverseCurve = make("reverseCurve", QT_TRANSLATE_NOOP("Actions", "&Reverse"));
     insertPoint = make("insertPoint", QT_TRANSLATE_NOOP("Actions", "&Insert a point"), QKeySequence(Qt::Key_Insert));
     insertPoint->setShortcutContext(Qt::WidgetShortcut); // the canvas takes the key itself
-
     renameCurve = make("renameCurve", QT_TRANSLATE_NOOP("Actions", "Rena&me"), QKeySequence(Qt::Key_F2));
     moveCurveUp = make("moveCurveUp", QT_TRANSLATE_NOOP("Actions", "Move &up in the list"), {}, IconName::Up);
     moveCurveDown = make("moveCurveDown", QT_TRANSLATE_NOOP("Actions", "Move do&wn in the list"), {}, IconName::Down);
     showCurve = makeToggle("showCurve", QT_TRANSLATE_NOOP("Actions", "&Show the curve"));
+}
 
+void Actions::makeView() {
     editTool = makeToggle("editTool", QT_TRANSLATE_NOOP("Actions", "&Edit tool"), {}, IconName::Edit);
     addTool = makeToggle("addTool", QT_TRANSLATE_NOOP("Actions", "&Add tool"), {}, IconName::AddPoint);
     auto* tools = new QActionGroup(this);
@@ -69,12 +83,13 @@ Actions::Actions(QWidget* window)
     showHistory = make("showHistory", QT_TRANSLATE_NOOP("Actions", "S&how the history"),
                        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_H));
     fullScreen = makeToggle("fullScreen", QT_TRANSLATE_NOOP("Actions", "F&ull screen"), QKeySequence(Qt::Key_F11));
+}
 
+void Actions::makeHelp() {
     about = make("about", QT_TRANSLATE_NOOP("Actions", "&About Kriva"));
     about->setMenuRole(QAction::AboutRole);
     aboutQt = make("aboutQt", QT_TRANSLATE_NOOP("Actions", "About &Qt"));
     aboutQt->setMenuRole(QAction::AboutQtRole);
-    retranslateUi();
 }
 
 QAction* Actions::make(const char* name, const char* text, const QKeySequence& shortcut,

@@ -74,6 +74,11 @@ class Actions : public QObject {
         QAction* action;
         const char* text; ///< marked with QT_TRANSLATE_NOOP("Actions", ...)
     };
+    void makeFile();
+    void makeEdit();
+    void makeCurve();
+    void makeView();
+    void makeHelp();
     QAction* make(const char* name, const char* text, const QKeySequence& shortcut = {},
                   std::optional<IconName> iconName = {});
     QAction* makeToggle(const char* name, const char* text, const QKeySequence& shortcut = {},

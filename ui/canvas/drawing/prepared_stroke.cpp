@@ -22,10 +22,10 @@ constexpr qsizetype kPointsAtOnce = 64;
 class Dashes {
   public:
     Dashes(const QPen& pen, QList<QLineF>& lines)
-        : lines_(lines) {
+        : lines_(lines)
+        , left_(pen.dashPattern().front() * pen.widthF()) {
         for (const double length : pen.dashPattern())
             lengths_.append(length * pen.widthF());
-        left_ = lengths_.front();
     }
 
     void walk(const QLineF& line) {
@@ -48,7 +48,7 @@ class Dashes {
     QList<QLineF>& lines_;
     QList<double> lengths_;
     qsizetype index_ = 0;
-    double left_ = 0; ///< of the present dash or gap
+    double left_; ///< of the present dash or gap
 };
 
 template <class Visit>
