@@ -17,14 +17,17 @@ class NoClient : public CanvasClient {
     void addPoint(Point) override {}
     void addPointOn(GripRef, Point) override {}
     void insertPoint(Serial, Point) override {}
+    void insertPointBehindSelected() override {}
     void removePoint(GripRef) override {}
     void removeSelected(Removal) override {}
+    void retractHandle(GripRef) override {}
     void select(Selection) override {}
     void activateCurve(Serial) override {}
     void beginDrag(GripRef) override {}
     void beginAddDrag(Point) override {}
+    void beginInsertDrag(Serial, Point) override {}
     void beginCurveDrag(Serial, Point) override {}
-    void drag(Vector, Qt::KeyboardModifiers) override {}
+    void drag(Vector, const DragKeys&) override {}
     void endDrag() override {}
     void cancelDrag() override {}
     void nudge(Vector) override {}
