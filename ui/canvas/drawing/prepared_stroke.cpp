@@ -16,6 +16,7 @@ constexpr double kLineWidth = 3;
 // As many points of a wide pen as can be stroked with true joints while a hand drags; it strokes a long polyline as one
 // shape, whose cost grows faster than its length.
 constexpr qsizetype kMostJoined = 1'000;
+constexpr double kMostJoinedInk = 100'000; // pixels: where lines lie over each other, a shape of them is slow
 constexpr qsizetype kPointsAtOnce = 64;
 
 /// Cuts a walk into dashes and gaps, from one line to the next.
@@ -57,15 +58,22 @@ void forEachLine(const QPolygonF& polyline, Visit visit) {
         visit(QLineF(polyline[i - 1], polyline[i]));
 }
 
+[[nodiscard]] bool canBeJoined(const PreparedStroke& stroke) {
+    qsizetype points = 0;
+    double length = 0;
+    for (const QPolygonF& polyline : stroke.polylines) {
+        points += polyline.size();
+        forEachLine(polyline, [&](const QLineF& line) { length += line.length(); });
+    }
+    return points <= kMostJoined && length * stroke.pen.widthF() <= kMostJoinedInk;
+}
+
 } // namespace
 
 PreparedStroke preparedStroke(std::vector<QPolygonF> polylines, QPen pen, double devicePixelRatio) {
     PreparedStroke stroke{std::move(pen), std::move(polylines), {}};
     const double width = stroke.pen.widthF() * devicePixelRatio;
-    qsizetype points = 0;
-    for (const QPolygonF& polyline : stroke.polylines)
-        points += polyline.size();
-    if (width <= kFastWidth || (width > kLineWidth && points <= kMostJoined))
+    if (width <= kFastWidth || (width > kLineWidth && canBeJoined(stroke)))
         return stroke;
     const bool isDashed = stroke.pen.style() == Qt::CustomDashLine;
     for (const QPolygonF& polyline : stroke.polylines) {
