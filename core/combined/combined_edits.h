@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/combined/combined_curve.h"
-#include "core/document/edited.h"
-#include "core/document/grip.h"
+#include "core/document/editing/edited.h"
+#include "core/document/editing/grip.h"
 
 #include <optional>
 

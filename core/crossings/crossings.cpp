@@ -4,7 +4,7 @@
 #include "core/bezier/evaluate.h"
 #include "core/bezier/measures/curvature.h"
 #include "core/crossings/chain_links.h"
-#include "core/crossings/double_points.h"
+#include "core/crossings/loops/double_points.h"
 #include "core/crossings/places.h"
 #include "core/geometry/sweep.h"
 #include "core/polynomial/sign_changes.h"

@@ -1,5 +1,6 @@
 #include "core/document/document_json.h"
 
+#include "core/document/json/json_format.h"
 #include "core/document/limit_check.h"
 #include "core/document/style_json.h"
 
@@ -9,7 +10,7 @@ namespace kriva {
 namespace {
 
 template <std::size_t... Index>
-SheetIndex activeSheet(const JsonNode& node, std::index_sequence<Index...>) {
+SheetIndex oneOfSheets(const JsonNode& node, std::index_sequence<Index...>) {
     return node.oneOf<SheetIndex>({{sheetName(Index), Index}...});
 }
 
@@ -45,20 +46,14 @@ void readSheet(const JsonNode& node, SheetIndex index, Sheet& sheet) {
         throw Refused{std::move(*error)};
 }
 
-Document readChecked(const JsonTape& tape) {
-    const JsonNode root(tape);
+Document readChecked(const JsonNode& root) {
     const JsonObject object(root, {"format", "version", "title", "active", "sheets"});
-    const JsonNode& format = object.require("format");
-    if (format.text() != "kriva")
-        format.refuse(FileProblem::foreignFormat);
-    const JsonNode& version = object.require("version");
-    if (const int number = version.wholeNumber(1, static_cast<int>(limits::kNumber)); number > kFormatVersion)
-        version.refuse(FileProblem::unknownVersion, {static_cast<double>(number)});
+    requireFormat(object, "kriva", kFormatVersion);
     Document document;
     if (const JsonNode* title = object.find("title"))
         document.title = title->text();
     if (const JsonNode* active = object.find("active"))
-        document.active = activeSheet(*active, std::make_index_sequence<kSheetCount>());
+        document.active = readSheetName(*active);
     if (const JsonNode* sheets = object.find("sheets")) {
         const JsonObject byName(*sheets, sheetNames());
         for (SheetIndex index = 0; index < kSheetCount; ++index)
@@ -70,21 +65,12 @@ Document readChecked(const JsonTape& tape) {
 
 } // namespace
 
+SheetIndex readSheetName(const JsonNode& node) {
+    return oneOfSheets(node, std::make_index_sequence<kSheetCount>());
+}
+
 std::variant<Document, FileError> readDocument(std::string_view text) {
-    if (text.size() > limits::kFileBytes) {
-        FileError error;
-        error.problem = FileProblem::tooLarge;
-        error.numbers = {static_cast<double>(limits::kFileBytes)};
-        return error;
-    }
-    std::variant<JsonTape, FileError> tape = parseJson(text);
-    if (FileError* error = std::get_if<FileError>(&tape))
-        return std::move(*error);
-    try {
-        return readChecked(std::get<JsonTape>(tape));
-    } catch (Refused& refused) {
-        return std::move(refused.error);
-    }
+    return readJson(text, readChecked);
 }
 
 std::string writeDocument(const Document& document, int linesDownTo) {

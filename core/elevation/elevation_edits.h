@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/document/edited.h"
-#include "core/document/grip.h"
+#include "core/document/editing/edited.h"
+#include "core/document/editing/grip.h"
 #include "core/elevation/elevation.h"
 
 #include <optional>

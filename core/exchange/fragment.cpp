@@ -1,7 +1,7 @@
 #include "core/exchange/fragment.h"
 
 #include "core/document/document_json.h"
-#include "core/document/json/json_node.h"
+#include "core/document/json/json_format.h"
 #include "core/document/json/json_writer.h"
 #include "core/document/limit_check.h"
 
@@ -12,25 +12,9 @@ constexpr std::string_view kFormat = "kriva-fragment";
 constexpr std::string_view kPoints = "points";
 constexpr std::string_view kCurve = "curve";
 
-SheetIndex readSheetName(const JsonNode& node) {
-    const std::optional<SheetIndex> sheet = sheetNamed(node.text());
-    if (sheet)
-        return *sheet;
-    std::vector<std::string> names;
-    for (SheetIndex i = 0; i < kSheetCount; ++i)
-        names.emplace_back(sheetName(i));
-    node.refuse(FileProblem::expectedOneOf, {}, names);
-}
-
-Fragment readChecked(const JsonTape& tape) {
-    const JsonNode root(tape);
+Fragment readChecked(const JsonNode& root) {
     const JsonObject object(root, {"format", "version", "content", "sheet", "curve"});
-    const JsonNode& format = object.require("format");
-    if (format.text() != kFormat)
-        format.refuse(FileProblem::foreignFormat);
-    const JsonNode& version = object.require("version");
-    if (const int number = version.wholeNumber(1, static_cast<int>(limits::kNumber)); number > kFormatVersion)
-        version.refuse(FileProblem::unknownVersion, {static_cast<double>(number)});
+    requireFormat(object, kFormat, kFormatVersion);
     Fragment fragment;
     fragment.content = object.require("content").oneOf<Fragment::Content>(
         {{kPoints, Fragment::Content::points}, {kCurve, Fragment::Content::curve}});
@@ -67,20 +51,7 @@ std::string writeFragment(const Fragment& fragment) {
 }
 
 std::variant<Fragment, FileError> readFragment(std::string_view text) {
-    if (text.size() > limits::kFileBytes) {
-        FileError error;
-        error.problem = FileProblem::tooLarge;
-        error.numbers = {static_cast<double>(limits::kFileBytes)};
-        return error;
-    }
-    std::variant<JsonTape, FileError> tape = parseJson(text);
-    if (FileError* error = std::get_if<FileError>(&tape))
-        return std::move(*error);
-    try {
-        return readChecked(std::get<JsonTape>(tape));
-    } catch (Refused& refused) {
-        return std::move(refused.error);
-    }
+    return readJson(text, readChecked);
 }
 
 } // namespace kriva

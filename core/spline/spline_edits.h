@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/document/edited.h"
-#include "core/document/grip.h"
+#include "core/document/editing/edited.h"
+#include "core/document/editing/grip.h"
 #include "core/spline/spline.h"
 
 /// The edits of a spline that every sheet's curve has, found by overloading; joins.h and chain_edits.h hold the

@@ -1,7 +1,7 @@
 #include "core/exchange/conversion.h"
 #include "tests/support/panel_test.h"
 #include "ui/panels/curves_panel.h"
-#include "ui/shell/actions.h"
+#include "ui/shell/actions/actions.h"
 
 #include <QLabel>
 #include <QListView>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/grip.h"
+#include "core/document/editing/grip.h"
 #include "core/figure/figure.h"
 #include "ui/canvas/viewport.h"
 #include "ui/document/serial.h"

@@ -2,17 +2,11 @@
 
 #include "core/document/limit_check.h"
 
-#include <algorithm>
-
 namespace kriva::ui {
 namespace {
 
 constexpr int kHistoryLimit = 500;
 constexpr int kBurstPause = 800; // ms without a further key or turn of the wheel that end a burst
-
-std::ptrdiff_t offset(int index) {
-    return static_cast<std::ptrdiff_t>(index);
-}
 
 } // namespace
 
@@ -22,7 +16,7 @@ OpenDocument::OpenDocument(QObject* parent)
         history = new QUndoStack(&group_);
         history->setUndoLimit(kHistoryLimit);
     }
-    group_.setActiveStack(histories_[value_.active]);
+    group_.setActiveStack(histories_[value().active]);
     burstEnd_.setSingleShot(true);
     burstEnd_.setInterval(kBurstPause);
     connect(&burstEnd_, &QTimer::timeout, this, &OpenDocument::endGesture);
@@ -30,45 +24,23 @@ OpenDocument::OpenDocument(QObject* parent)
 
 OpenDocument::~OpenDocument() = default;
 
-std::optional<int> OpenDocument::indexOf(SheetIndex sheet, Serial serial) const {
-    const auto& serials = serials_[sheet];
-    const auto found = std::find(serials.begin(), serials.end(), serial);
-    if (found == serials.end())
-        return {};
-    return static_cast<int>(found - serials.begin());
-}
-
-const Curve* OpenDocument::find(SheetIndex sheet, Serial serial) const {
-    const std::optional<int> index = indexOf(sheet, serial);
-    return index ? &value_.sheets[sheet].curves[static_cast<std::size_t>(*index)] : nullptr;
-}
-
-Serial OpenDocument::activeCurve(SheetIndex sheet) const {
-    const auto& serials = serials_[sheet];
-    return serials.empty() ? 0 : serials[static_cast<std::size_t>(value_.sheets[sheet].view.activeCurve)];
-}
-
 void OpenDocument::replace(Document document) {
     cancelGesture();
-    value_ = std::move(document);
-    for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
-        histories_[sheet]->clear();
-        serials_[sheet].clear();
-        for (std::size_t i = 0; i < value_.sheets[sheet].curves.size(); ++i)
-            serials_[sheet].push_back(++lastSerial_);
-    }
-    group_.setActiveStack(histories_[value_.active]);
+    present_.replace(std::move(document));
+    for (QUndoStack* history : histories_)
+        history->clear();
+    group_.setActiveStack(histories_[value().active]);
     markSaved();
     Q_EMIT replaced();
 }
 
 bool OpenDocument::isModified() const {
-    return !sameContent(value_, saved_);
+    return !sameContent(value(), saved_);
 }
 
 void OpenDocument::markSaved() {
     endGesture();
-    saved_ = value_;
+    saved_ = value();
     tellModified();
 }
 
@@ -118,7 +90,7 @@ std::optional<Serial> OpenDocument::beginGestureWithNew(SheetIndex sheet, int in
     endGesture();
     if (!isWithinLimits(sheet, {}, curve))
         return {};
-    const Serial serial = ++lastSerial_;
+    const Serial serial = present_.newSerial();
     gesture_ = Gesture{sheet, serial, label, curve, true};
     exchange(sheet, serial, PlacedCurve{std::move(curve), index});
     setActiveCurve(sheet, serial);
@@ -126,25 +98,21 @@ std::optional<Serial> OpenDocument::beginGestureWithNew(SheetIndex sheet, int in
 }
 
 void OpenDocument::preview(Curve curve) {
-    if (!gesture_)
-        return;
-    const int index = *indexOf(gesture_->sheet, gesture_->serial);
-    if (curve == value_.sheets[gesture_->sheet].curves[static_cast<std::size_t>(index)] ||
-        !isWithinLimits(gesture_->sheet, index, curve))
-        return;
-    put(gesture_->sheet, index, std::move(curve));
+    if (gesture_ && curve != *find(gesture_->sheet, gesture_->serial) &&
+        isWithinLimits(gesture_->sheet, indexOf(gesture_->sheet, gesture_->serial), curve))
+        put(gesture_->sheet, gesture_->serial, std::move(curve));
 }
 
 void OpenDocument::endGesture() {
     burstEnd_.stop();
     if (!gesture_)
         return;
-    const Gesture gesture = *std::exchange(gesture_, std::nullopt);
+    Gesture gesture = *std::exchange(gesture_, std::nullopt);
     const int index = *indexOf(gesture.sheet, gesture.serial);
     if (gesture.isNew)
         push(gesture.sheet, gesture.serial, std::nullopt, gesture.label);
-    else if (value_.sheets[gesture.sheet].curves[static_cast<std::size_t>(index)] != gesture.start)
-        push(gesture.sheet, gesture.serial, PlacedCurve{gesture.start, index}, gesture.label);
+    else if (*find(gesture.sheet, gesture.serial) != gesture.start)
+        push(gesture.sheet, gesture.serial, PlacedCurve{std::move(gesture.start), index}, gesture.label);
 }
 
 void OpenDocument::cancelGesture() {
@@ -152,11 +120,10 @@ void OpenDocument::cancelGesture() {
     if (!gesture_)
         return;
     Gesture gesture = *std::exchange(gesture_, std::nullopt);
-    const int index = *indexOf(gesture.sheet, gesture.serial);
     if (gesture.isNew)
         exchange(gesture.sheet, gesture.serial, std::nullopt);
-    else if (value_.sheets[gesture.sheet].curves[static_cast<std::size_t>(index)] != gesture.start)
-        put(gesture.sheet, index, std::move(gesture.start));
+    else if (*find(gesture.sheet, gesture.serial) != gesture.start)
+        put(gesture.sheet, gesture.serial, std::move(gesture.start));
 }
 
 void OpenDocument::changeInBurst(SheetIndex sheet, Serial serial, Curve curve, const StepLabel& label) {
@@ -172,9 +139,9 @@ void OpenDocument::changeInBurst(SheetIndex sheet, Serial serial, Curve curve, c
     burstEnd_.start();
 }
 
-void OpenDocument::put(SheetIndex sheet, int index, Curve curve) {
-    value_.sheets[sheet].curves[static_cast<std::size_t>(index)] = std::move(curve);
-    Q_EMIT curveChanged(sheet, serials_[sheet][static_cast<std::size_t>(index)]);
+void OpenDocument::put(SheetIndex sheet, Serial serial, Curve curve) {
+    present_.put(sheet, serial, std::move(curve));
+    Q_EMIT curveChanged(sheet, serial);
 }
 
 void OpenDocument::push(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other, const StepLabel& label) {
@@ -183,78 +150,52 @@ void OpenDocument::push(SheetIndex sheet, Serial serial, std::optional<PlacedCur
 }
 
 std::optional<PlacedCurve> OpenDocument::exchange(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other) {
-    auto& curves = value_.sheets[sheet].curves;
-    auto& serials = serials_[sheet];
-    const Serial active = activeCurve(sheet);
-    const std::optional<int> index = indexOf(sheet, serial);
-    std::optional<PlacedCurve> before;
-    if (index)
-        before = PlacedCurve{curves[static_cast<std::size_t>(*index)], *index};
-    if (before && other) // whether a curve is shown is not undone
-        other->curve = withView(std::move(other->curve), viewOf(before->curve));
-    if (before && other && before->index == other->index) {
-        put(sheet, *index, std::move(other->curve));
-    } else {
-        if (index) {
-            curves.erase(curves.begin() + offset(*index));
-            serials.erase(serials.begin() + offset(*index));
-        }
-        if (other) {
-            curves.insert(curves.begin() + offset(other->index), std::move(other->curve));
-            serials.insert(serials.begin() + offset(other->index), serial);
-        }
-        keepActiveCurve(sheet, active);
+    const std::optional<int> newIndex = other ? std::optional(other->index) : std::nullopt;
+    std::optional<PlacedCurve> before = present_.exchange(sheet, serial, std::move(other));
+    if (before && before->index == newIndex)
+        Q_EMIT curveChanged(sheet, serial);
+    else
         Q_EMIT curvesChanged(sheet);
-    }
     return before;
-}
-
-void OpenDocument::keepActiveCurve(SheetIndex sheet, Serial serial) {
-    int& active = value_.sheets[sheet].view.activeCurve;
-    const int last = std::max(0, static_cast<int>(serials_[sheet].size()) - 1);
-    active = indexOf(sheet, serial).value_or(std::min(active, last));
 }
 
 bool OpenDocument::isWithinLimits(SheetIndex sheet, std::optional<int> replacedIndex, const Curve& curve) {
     const auto replaced = replacedIndex ? std::optional(static_cast<std::size_t>(*replacedIndex)) : std::nullopt;
-    const std::optional<FileError> error = limitErrorWith(value_.sheets[sheet], sheet, replaced, curve);
+    const std::optional<FileError> error = limitErrorWith(present_.sheet(sheet), sheet, replaced, curve);
     if (error)
         Q_EMIT refused(*error);
     return !error;
 }
 
 void OpenDocument::setActiveSheet(SheetIndex sheet) {
-    if (value_.active == sheet)
+    if (value().active == sheet)
         return;
     endGesture();
-    value_.active = sheet;
+    present_.setActiveSheet(sheet);
     group_.setActiveStack(histories_[sheet]);
     Q_EMIT activeSheetChanged(sheet);
 }
 
 void OpenDocument::setActiveCurve(SheetIndex sheet, Serial serial) {
     const std::optional<int> index = indexOf(sheet, serial);
-    if (!index || value_.sheets[sheet].view.activeCurve == *index)
+    if (!index || present_.view(sheet).activeCurve == *index)
         return;
-    value_.sheets[sheet].view.activeCurve = *index;
+    present_.view(sheet).activeCurve = *index;
     Q_EMIT viewChanged(sheet);
 }
 
 void OpenDocument::setCurveShown(SheetIndex sheet, Serial serial, bool isShown) {
     endGesture();
-    const std::optional<int> index = indexOf(sheet, serial);
-    if (!index)
+    const Curve* curve = find(sheet, serial);
+    if (!curve || viewOf(*curve).isShown == isShown)
         return;
-    Curve& curve = value_.sheets[sheet].curves[static_cast<std::size_t>(*index)];
-    CurveView view = viewOf(curve);
-    if (view.isShown == isShown)
-        return;
+    CurveView view = viewOf(*curve);
     view.isShown = isShown;
-    put(sheet, *index, withView(curve, view));
+    put(sheet, serial, withView(*curve, view));
 }
 
 void OpenDocument::setLayerShown(SheetIndex sheet, std::string_view layer, bool isShown) {
-    value_.sheets[sheet].view.layers[std::string(layer)] = isShown;
+    present_.view(sheet).layers[std::string(layer)] = isShown;
     Q_EMIT viewChanged(sheet);
 }
 

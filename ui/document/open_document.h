@@ -1,8 +1,7 @@
 #pragma once
 
-#include "core/document/document.h"
 #include "core/document/file_error.h"
-#include "ui/document/serial.h"
+#include "ui/document/serial_document.h"
 #include "ui/document/step_label.h"
 #include "ui/document/swap_curve.h"
 
@@ -22,14 +21,16 @@ class OpenDocument : public QObject {
     ~OpenDocument() override;
 
     /// The present value, a running gesture's preview included.
-    [[nodiscard]] const Document& value() const { return value_; }
-    [[nodiscard]] const Sheet& sheet(SheetIndex sheet) const { return value_.sheets[sheet]; }
-    [[nodiscard]] const std::vector<Serial>& serials(SheetIndex sheet) const { return serials_[sheet]; }
-    [[nodiscard]] std::optional<int> indexOf(SheetIndex sheet, Serial serial) const;
+    [[nodiscard]] const Document& value() const { return present_.value(); }
+    [[nodiscard]] const Sheet& sheet(SheetIndex sheet) const { return present_.sheet(sheet); }
+    [[nodiscard]] const std::vector<Serial>& serials(SheetIndex sheet) const { return present_.serials(sheet); }
+    [[nodiscard]] std::optional<int> indexOf(SheetIndex sheet, Serial serial) const {
+        return present_.indexOf(sheet, serial);
+    }
     /// Null where the curve is not there.
-    [[nodiscard]] const Curve* find(SheetIndex sheet, Serial serial) const;
+    [[nodiscard]] const Curve* find(SheetIndex sheet, Serial serial) const { return present_.find(sheet, serial); }
     /// The curve that edits without a curve of their own go to; 0 in an empty sheet.
-    [[nodiscard]] Serial activeCurve(SheetIndex sheet) const;
+    [[nodiscard]] Serial activeCurve(SheetIndex sheet) const { return present_.activeCurve(sheet); }
 
     /// Replaces everything: histories are cleared, and the new value counts as saved.
     void replace(Document document);
@@ -96,19 +97,16 @@ class OpenDocument : public QObject {
         bool isBurst = false;
     };
 
-    /// Puts `other` in place of the curve, or takes it out, and gives what was there.
+    /// As SerialDocument does, and tells.
     std::optional<PlacedCurve> exchange(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other);
     void push(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other, const StepLabel& label);
     bool isWithinLimits(SheetIndex sheet, std::optional<int> replacedIndex, const Curve& curve);
-    void put(SheetIndex sheet, int index, Curve curve);
-    void keepActiveCurve(SheetIndex sheet, Serial serial);
+    void put(SheetIndex sheet, Serial serial, Curve curve);
     void tellModified();
 
-    Document value_;
+    SerialDocument present_;
     Document saved_;
     bool wasModified_ = false;
-    std::array<std::vector<Serial>, kSheetCount> serials_;
-    Serial lastSerial_ = 0;
     std::array<QUndoStack*, kSheetCount> histories_;
     QUndoGroup group_;
     std::optional<Gesture> gesture_;

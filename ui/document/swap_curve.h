@@ -1,20 +1,12 @@
 #pragma once
 
-#include "core/document/document.h"
-#include "ui/document/serial.h"
+#include "ui/document/serial_document.h"
 
 #include <QUndoCommand>
 
 namespace kriva::ui {
 
 class OpenDocument;
-
-/// A curve at its place among the curves of its sheet.
-struct PlacedCurve {
-    Curve curve;
-    int index = 0;
-    friend bool operator==(const PlacedCurve&, const PlacedCurve&) = default;
-};
 
 /// The one command of all histories: it holds what the curve is not at present (nothing where the curve is not there)
 /// and exchanges the two. Adding, deleting, changing and reordering are all this.

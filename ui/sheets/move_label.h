@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/grip.h"
+#include "core/document/editing/grip.h"
 #include "ui/document/step_label.h"
 
 namespace kriva::ui {

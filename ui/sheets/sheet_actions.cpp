@@ -23,7 +23,12 @@ SheetActions::SheetActions(SheetEditor& editor, const SheetUi& ui, QWidget& canv
             follow();
     };
     connect(&editor, &SheetEditor::selectionChanged, this, &SheetActions::follow);
-    connect(&editor, &SheetEditor::shownCurveChanged, this, &SheetActions::follow);
+    // A gesture's previews need not be followed one by one: where it changed something it ends with a step.
+    connect(&editor.document(), &OpenDocument::curveChanged, this, [this, ifMine](SheetIndex sheet) {
+        if (!editor_.document().hasGesture())
+            ifMine(sheet);
+    });
+    connect(&editor.document().history(editor.index()), &QUndoStack::indexChanged, this, &SheetActions::follow);
     connect(&editor.document(), &OpenDocument::curvesChanged, this, ifMine);
     connect(&editor.document(), &OpenDocument::viewChanged, this, ifMine);
     connect(&editor.document(), &OpenDocument::replaced, this, &SheetActions::follow);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/handle_way.h"
+#include "core/document/editing/handle_way.h"
 #include "ui/sheets/sheet_editor.h"
 
 namespace kriva::ui {

@@ -1,23 +1,17 @@
 #include "ui/sheets/sheet_tab.h"
 
-#include "core/figure/page.h"
-#include "ui/sheets/curve_name.h"
 #include "ui/sheets/hints/hint_text.h"
 #include "ui/sheets/hints/pointing.h"
 
 #include <QEvent>
 
 namespace kriva::ui {
-namespace {
-
-constexpr double kPixelsPerMillimetre = 96 / 25.4;
-
-} // namespace
 
 SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, QWidget* parent)
     : QMainWindow(parent)
     , editor_(document, sheet)
     , canvas_(new CanvasView(*this, this))
+    , content_(editor_, relations_, *canvas_)
     , ruled_(new RuledCanvas(canvas_, this))
     , panels_(*this, editor_, relations_, ui)
     , actions_(editor_, ui, *canvas_) {
@@ -25,24 +19,7 @@ SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, 
     setDockNestingEnabled(true);
     setCentralWidget(ruled_);
 
-    connect(&document, &OpenDocument::replaced, this, [this] {
-        showAllCurves();
-        followPage();
-        canvas_->fitAll();
-        canvas_->setTool(editor_.sheet().curves.empty() ? Tool::add : Tool::edit); // what there is to do first
-    });
-    connect(&document, &OpenDocument::curvesChanged, this, [this](SheetIndex changed) {
-        if (changed == editor_.index())
-            showAllCurves();
-    });
-    connect(&document, &OpenDocument::viewChanged, this, [this](SheetIndex changed) {
-        if (changed == editor_.index())
-            showAllCurves();
-    });
-    connect(&editor_, &SheetEditor::shownCurveChanged, this, &SheetTab::updateCurve);
-    connect(&relations_, &SheetRelations::changed, this, [this] { canvas_->updateCurve(canvasRelations()); });
     connect(&editor_, &SheetEditor::hint, this, [this](const Hint& hint) { Q_EMIT told(hint.text()); });
-    connect(&editor_, &SheetEditor::selectionChanged, this, [this] { canvas_->setSelection(editor_.selection()); });
     retranslateUi();
 }
 
@@ -61,53 +38,7 @@ void SheetTab::changeEvent(QEvent* event) {
 void SheetTab::retranslateUi() {
     panels_.retranslateUi();
     actions_.retranslateUi();
-    showAllCurves(); // numbers and captions on the canvas follow the language
-}
-
-CanvasCurve SheetTab::canvasCurve(Serial serial) const {
-    const Curve& curve = *editor_.shown(serial);
-    const SheetIndex sheet = editor_.index();
-    const SheetView& view = editor_.sheet().view;
-    const bool isActive = serial == editor_.activeSerial();
-    CanvasCurve shown;
-    shown.serial = serial;
-    shown.isActive = isActive;
-    const int index = *editor_.document().indexOf(sheet, serial);
-    shown.name = curveName(curve, index);
-    if (viewOf(curve).isShown) {
-        const FigureContext context{index, isActive};
-        shown.figure = shownLayers(figureOf(curve, context), layersOf(sheet), view, context);
-        shown.grips = grips(curve);
-    }
-    return shown;
-}
-
-CanvasCurve SheetTab::canvasRelations() const {
-    const SheetIndex sheet = editor_.index();
-    CanvasCurve shown;
-    shown.isOnTop = true;
-    shown.figure = shownLayers(relations_.relations().figure, layersOf(sheet), editor_.sheet().view, {});
-    return shown;
-}
-
-void SheetTab::followPage() {
-    const Box box = boxOf(figureOfCurves(editor_.sheet(), editor_.index()));
-    canvas_->setUnitScale(pageOf(box, editor_.sheet().view.mmPerUnit).mmPerUnit * kPixelsPerMillimetre);
-}
-
-void SheetTab::showAllCurves() {
-    std::vector<CanvasCurve> curves;
-    for (const Serial serial : editor_.document().serials(editor_.index()))
-        curves.push_back(canvasCurve(serial));
-    curves.push_back(canvasRelations());
-    canvas_->setCurves(std::move(curves));
-    canvas_->setGhost(std::nullopt);
-    canvas_->setSelection(editor_.selection());
-}
-
-void SheetTab::updateCurve(Serial serial) {
-    canvas_->updateCurve(canvasCurve(serial));
-    canvas_->setGhost(std::nullopt); // the next move of the pointer shows it where it is then
+    content_.retranslateUi();
 }
 
 Point SheetTab::snapped(Point at) const {

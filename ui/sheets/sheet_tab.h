@@ -3,7 +3,7 @@
 #include "ui/canvas/canvas_client.h"
 #include "ui/canvas/canvas_view.h"
 #include "ui/canvas/rulers/ruled_canvas.h"
-#include "ui/sheets/results/sheet_relations.h"
+#include "ui/sheets/canvas_content.h"
 #include "ui/sheets/sheet_actions.h"
 #include "ui/sheets/sheet_drag.h"
 #include "ui/sheets/sheet_editor.h"
@@ -11,8 +11,7 @@
 
 namespace kriva::ui {
 
-/// One tab: the canvas of a sheet with its dockable panels. It carries out what a person does on the canvas and keeps
-/// the canvas showing what the sheet editor has on view.
+/// One tab: the canvas of a sheet with its dockable panels. It carries out what a person does on the canvas.
 class SheetTab : public QMainWindow, private CanvasClient {
     Q_OBJECT
   public:
@@ -66,14 +65,6 @@ class SheetTab : public QMainWindow, private CanvasClient {
     void hover(const Hit& under, Point at, Qt::KeyboardModifiers modifiers) override;
 
     void retranslateUi();
-    [[nodiscard]] CanvasCurve canvasCurve(Serial serial) const;
-    /// What the curves have with each other, above them; it is of no curve.
-    [[nodiscard]] CanvasCurve canvasRelations() const;
-    void showAllCurves();
-    /// 100 % is the size of the page at 96 dpi. A page grows with its curves, but not under the pointer: only a new
-    /// document sets the scale.
-    void followPage();
-    void updateCurve(Serial serial);
     /// To where a new point comes that is asked for at `at`.
     [[nodiscard]] Point snapped(Point at) const;
     [[nodiscard]] std::optional<Snap> snapOfDrag(Vector by, Qt::KeyboardModifiers modifiers);
@@ -82,6 +73,7 @@ class SheetTab : public QMainWindow, private CanvasClient {
     SheetDrag drag_{editor_};
     SheetRelations relations_{editor_};
     CanvasView* canvas_;
+    CanvasContent content_;
     RuledCanvas* ruled_;
     SheetPanels panels_;
     bool isSnapping_ = false;

@@ -2,15 +2,15 @@
 
 #include "ui/document/error_text.h"
 #include "ui/shell/about_dialog.h"
-#include "ui/shell/actions.h"
-#include "ui/shell/context_menu.h"
+#include "ui/shell/actions/actions.h"
+#include "ui/shell/actions/context_menu.h"
+#include "ui/shell/actions/menus.h"
+#include "ui/shell/actions/physical_shortcuts.h"
+#include "ui/shell/actions/tab_actions.h"
 #include "ui/shell/document_session.h"
 #include "ui/shell/language/qt_texts.h"
-#include "ui/shell/menus.h"
-#include "ui/shell/physical_shortcuts.h"
 #include "ui/shell/preferences.h"
 #include "ui/shell/status_row.h"
-#include "ui/shell/tab_actions.h"
 
 #include <QApplication>
 #include <QCloseEvent>

@@ -12,7 +12,7 @@
 
 namespace kriva {
 
-/// Thrown by the readers below and caught by readDocument: it never leaves core.
+/// Thrown by the readers below and caught by readJson: it never leaves core.
 struct Refused {
     FileError error;
 };

@@ -38,9 +38,9 @@ struct JsonTape {
 /// The text or key that stands at an index of the tape.
 [[nodiscard]] std::string_view textOf(const JsonTape& tape, std::uint32_t index);
 
-/// Reads strict JSON in UTF-8 without a byte order mark, at most 64 levels deep; refuses anything else with line and
-/// column, but a number beyond the range of doubles with its place. Numbers are the nearest doubles, whatever the
-/// process's locale; -0 keeps its sign.
+/// Reads strict JSON in UTF-8 without a byte order mark, at most kFileBytes long and 64 levels deep; refuses anything
+/// else with line and column, but a number beyond the range of doubles with its place. Numbers are the nearest doubles,
+/// whatever the process's locale; -0 keeps its sign.
 [[nodiscard]] std::variant<JsonTape, FileError> parseJson(std::string_view text);
 
 } // namespace kriva

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/edited.h"
+#include "core/document/editing/edited.h"
 #include "core/spline/spline.h"
 
 /// The edits of a whole chain that only splines have. See joins.h for those of single knots.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/document/grip.h"
-#include "core/document/handle_way.h"
+#include "core/document/editing/grip.h"
+#include "core/document/editing/handle_way.h"
 #include "core/spline/spline.h"
 
 /// What a hand does to one handle, or to the arrow of an end derivative.

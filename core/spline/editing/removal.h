@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/edited.h"
+#include "core/document/editing/edited.h"
 #include "core/spline/spline.h"
 
 namespace kriva {

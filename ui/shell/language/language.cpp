@@ -11,32 +11,33 @@ namespace kriva::ui {
 
 using namespace Qt::StringLiterals;
 
+namespace {
+
+struct LanguageNames {
+    QStringView code;
+    QStringView name;
+};
+
+/// By Language.
+constexpr std::array<LanguageNames, kLanguages.size()> kNames{{
+    {u"en", u"English"},
+    {u"bg", u"Български"},
+    {u"sl", u"Slovenščina"},
+    {u"uk", u"Українська"},
+}};
+
+const LanguageNames& namesOf(Language language) {
+    return kNames[static_cast<std::size_t>(language)];
+}
+
+} // namespace
+
 QString languageCode(Language language) {
-    switch (language) {
-    case Language::Bulgarian:
-        return u"bg"_s;
-    case Language::Slovenian:
-        return u"sl"_s;
-    case Language::Ukrainian:
-        return u"uk"_s;
-    case Language::English:
-        break;
-    }
-    return u"en"_s;
+    return namesOf(language).code.toString();
 }
 
 QString languageName(Language language) {
-    switch (language) {
-    case Language::Bulgarian:
-        return u"Български"_s;
-    case Language::Slovenian:
-        return u"Slovenščina"_s;
-    case Language::Ukrainian:
-        return u"Українська"_s;
-    case Language::English:
-        break;
-    }
-    return u"English"_s;
+    return namesOf(language).name.toString();
 }
 
 QLocale languageLocale(Language language) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/crossings/segment_contacts.h"
+#include "core/crossings/contacts/segment_contacts.h"
 
 namespace kriva {
 

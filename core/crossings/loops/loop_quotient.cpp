@@ -1,4 +1,4 @@
-#include "core/crossings/loop_quotient.h"
+#include "core/crossings/loops/loop_quotient.h"
 
 #include <cmath>
 

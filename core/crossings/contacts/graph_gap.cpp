@@ -1,4 +1,4 @@
-#include "core/crossings/graph_gap.h"
+#include "core/crossings/contacts/graph_gap.h"
 
 #include <cmath>
 #include <numeric>

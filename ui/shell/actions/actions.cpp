@@ -1,4 +1,4 @@
-#include "ui/shell/actions.h"
+#include "ui/shell/actions/actions.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>

@@ -1,6 +1,6 @@
-#include "core/crossings/double_points.h"
+#include "core/crossings/loops/double_points.h"
 
-#include "core/crossings/loop_quotient.h"
+#include "core/crossings/loops/loop_quotient.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/document/grip.h"
+#include "core/document/editing/grip.h"
 
 namespace kriva {
 

@@ -1,6 +1,6 @@
-#include "core/crossings/flattest_contact.h"
+#include "core/crossings/contacts/flattest_contact.h"
 
-#include "core/crossings/passages.h"
+#include "core/crossings/contacts/passages.h"
 
 #include <cmath>
 

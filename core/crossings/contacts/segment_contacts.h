@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/crossings/arc.h"
+#include "core/crossings/contacts/arc.h"
 
 #include <vector>
 

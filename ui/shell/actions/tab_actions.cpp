@@ -1,11 +1,11 @@
-#include "ui/shell/tab_actions.h"
+#include "ui/shell/actions/tab_actions.h"
 
 #include "ui/exchange/clipboard_edits.h"
-#include "ui/shell/actions.h"
+#include "ui/shell/actions/actions.h"
+#include "ui/shell/actions/menus.h"
 #include "ui/shell/document_session.h"
 #include "ui/shell/export_figure.h"
 #include "ui/shell/main_window.h"
-#include "ui/shell/menus.h"
 #include "ui/shell/preferences.h"
 
 #include <QEvent>

@@ -1,4 +1,4 @@
-#include "core/crossings/arc.h"
+#include "core/crossings/contacts/arc.h"
 
 #include "core/bezier/subdivide.h"
 

@@ -1,6 +1,6 @@
-#include "core/crossings/common_parts.h"
+#include "core/crossings/contacts/common_parts.h"
 
-#include "core/crossings/passages.h"
+#include "core/crossings/contacts/passages.h"
 
 #include <algorithm>
 

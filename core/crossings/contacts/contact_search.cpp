@@ -1,7 +1,7 @@
-#include "core/crossings/contact_search.h"
+#include "core/crossings/contacts/contact_search.h"
 
-#include "core/crossings/flattest_contact.h"
-#include "core/crossings/graph_gap.h"
+#include "core/crossings/contacts/flattest_contact.h"
+#include "core/crossings/contacts/graph_gap.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "ui/shell/context_menu.h"
+#include "ui/shell/actions/context_menu.h"
 
 #include "ui/sheets/sheet_tab.h"
-#include "ui/shell/actions.h"
+#include "ui/shell/actions/actions.h"
 
 #include <QMenu>
 

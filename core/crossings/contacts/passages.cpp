@@ -1,4 +1,4 @@
-#include "core/crossings/passages.h"
+#include "core/crossings/contacts/passages.h"
 
 #include <algorithm>
 

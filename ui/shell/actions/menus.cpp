@@ -1,6 +1,6 @@
-#include "ui/shell/menus.h"
+#include "ui/shell/actions/menus.h"
 
-#include "ui/shell/actions.h"
+#include "ui/shell/actions/actions.h"
 #include "ui/shell/examples.h"
 
 #include <QActionGroup>

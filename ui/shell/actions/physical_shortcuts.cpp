@@ -1,4 +1,4 @@
-#include "ui/shell/physical_shortcuts.h"
+#include "ui/shell/actions/physical_shortcuts.h"
 
 #include "ui/canvas/gestures/key_gestures.h"
 

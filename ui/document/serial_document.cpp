@@ -1,0 +1,72 @@
+#include "ui/document/serial_document.h"
+
+#include <algorithm>
+
+namespace kriva::ui {
+namespace {
+
+std::ptrdiff_t offset(int index) {
+    return static_cast<std::ptrdiff_t>(index);
+}
+
+} // namespace
+
+std::optional<int> SerialDocument::indexOf(SheetIndex sheet, Serial serial) const {
+    const auto found = std::ranges::find(serials_[sheet], serial);
+    if (found == serials_[sheet].end())
+        return {};
+    return static_cast<int>(found - serials_[sheet].begin());
+}
+
+const Curve* SerialDocument::find(SheetIndex sheet, Serial serial) const {
+    const std::optional<int> index = indexOf(sheet, serial);
+    return index ? &value_.sheets[sheet].curves[static_cast<std::size_t>(*index)] : nullptr;
+}
+
+Serial SerialDocument::activeCurve(SheetIndex sheet) const {
+    const auto& serials = serials_[sheet];
+    return serials.empty() ? 0 : serials[static_cast<std::size_t>(value_.sheets[sheet].view.activeCurve)];
+}
+
+void SerialDocument::replace(Document document) {
+    value_ = std::move(document);
+    for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
+        serials_[sheet].clear();
+        for (std::size_t i = 0; i < value_.sheets[sheet].curves.size(); ++i)
+            serials_[sheet].push_back(newSerial());
+    }
+}
+
+void SerialDocument::put(SheetIndex sheet, Serial serial, Curve curve) {
+    value_.sheets[sheet].curves[static_cast<std::size_t>(*indexOf(sheet, serial))] = std::move(curve);
+}
+
+std::optional<PlacedCurve> SerialDocument::exchange(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other) {
+    const Serial active = activeCurve(sheet);
+    std::optional<PlacedCurve> before;
+    if (const std::optional<int> index = indexOf(sheet, serial)) {
+        before = PlacedCurve{*find(sheet, serial), *index};
+        takeOut(sheet, *index);
+    }
+    if (before && other) // whether a curve is shown is not undone
+        other->curve = withView(std::move(other->curve), viewOf(before->curve));
+    if (other)
+        putIn(sheet, serial, std::move(*other));
+    const int last = std::max(0, static_cast<int>(serials_[sheet].size()) - 1);
+    int& activeIndex = value_.sheets[sheet].view.activeCurve;
+    activeIndex = indexOf(sheet, active).value_or(std::min(activeIndex, last));
+    return before;
+}
+
+void SerialDocument::takeOut(SheetIndex sheet, int index) {
+    value_.sheets[sheet].curves.erase(value_.sheets[sheet].curves.begin() + offset(index));
+    serials_[sheet].erase(serials_[sheet].begin() + offset(index));
+}
+
+void SerialDocument::putIn(SheetIndex sheet, Serial serial, PlacedCurve curve) {
+    auto& curves = value_.sheets[sheet].curves;
+    curves.insert(curves.begin() + offset(curve.index), std::move(curve.curve));
+    serials_[sheet].insert(serials_[sheet].begin() + offset(curve.index), serial);
+}
+
+} // namespace kriva::ui

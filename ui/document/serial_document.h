@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/document/document.h"
+#include "ui/document/serial.h"
+
+namespace kriva::ui {
+
+/// A curve at its place among the curves of its sheet.
+struct PlacedCurve {
+    Curve curve;
+    int index = 0;
+    friend bool operator==(const PlacedCurve&, const PlacedCurve&) = default;
+};
+
+/// The value of a document whose curves have serials: a curve is found by its serial whatever becomes of the others,
+/// and has the same one when it went and comes back. No serial is given twice while this lives.
+class SerialDocument {
+  public:
+    [[nodiscard]] const Document& value() const { return value_; }
+    [[nodiscard]] const Sheet& sheet(SheetIndex sheet) const { return value_.sheets[sheet]; }
+    [[nodiscard]] const std::vector<Serial>& serials(SheetIndex sheet) const { return serials_[sheet]; }
+    [[nodiscard]] std::optional<int> indexOf(SheetIndex sheet, Serial serial) const;
+    /// Null where the curve is not there.
+    [[nodiscard]] const Curve* find(SheetIndex sheet, Serial serial) const;
+    /// 0 in an empty sheet.
+    [[nodiscard]] Serial activeCurve(SheetIndex sheet) const;
+
+    /// Another document, all of its curves with new serials.
+    void replace(Document document);
+    [[nodiscard]] Serial newSerial() { return ++lastSerial_; }
+    /// Another value for a curve that is there.
+    void put(SheetIndex sheet, Serial serial, Curve curve);
+    /// Puts `other` in place of the curve, or takes it out, and gives what was there. Whether the curve is shown stays
+    /// as it is; the active curve stays active as long as it is there.
+    std::optional<PlacedCurve> exchange(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other);
+    void setActiveSheet(SheetIndex sheet) { value_.active = sheet; }
+    [[nodiscard]] SheetView& view(SheetIndex sheet) { return value_.sheets[sheet].view; }
+
+  private:
+    void takeOut(SheetIndex sheet, int index);
+    void putIn(SheetIndex sheet, Serial serial, PlacedCurve curve);
+
+    Document value_;
+    std::array<std::vector<Serial>, kSheetCount> serials_;
+    Serial lastSerial_ = 0;
+};
+
+} // namespace kriva::ui
