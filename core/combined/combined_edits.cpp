@@ -24,17 +24,13 @@ std::map<int, Point> followed(const std::map<int, Point>& corrections, const Ind
     return kept;
 }
 
-bool isWithinLimits(Point p) {
-    return std::abs(p.x) <= limits::kNumber && std::abs(p.y) <= limits::kNumber;
-}
-
 /// Middle points beyond the limit of numbers are no grips: they could not be kept as corrections.
 std::vector<Grip> middleGrips(const CombinedCurve& curve) {
     std::vector<Grip> grips;
     if (curve.method != CombinedCurve::Method::pairs || isIncomplete(curve))
         return grips;
     for (const PairMiddle& middle : pairMiddles(combine(curve)))
-        if (isWithinLimits(middle.at))
+        if (isWithin(middle.at, limits::kNumber))
             grips.push_back({{GripKind::middle, middle.pair}, middle.at});
     return grips;
 }
@@ -64,6 +60,12 @@ std::vector<Grip> grips(const CombinedCurve& curve) {
     const std::vector<Grip> middles = middleGrips(curve);
     all.insert(all.end(), middles.begin(), middles.end());
     return all;
+}
+
+bool isWithin(const CombinedCurve& curve, double limit) {
+    return areWithin(curve.points, limit) && std::ranges::all_of(curve.corrections, [&](const auto& correction) {
+               return isWithin(correction.second, limit);
+           });
 }
 
 std::size_t mostPoints(const CombinedCurve& curve) {

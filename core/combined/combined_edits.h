@@ -28,6 +28,9 @@ namespace kriva {
 /// The most points that this curve may have. Under interpolation it has too many where one run has.
 [[nodiscard]] std::size_t mostPoints(const CombinedCurve& curve);
 
+/// Whether all its coordinates, those of corrections too, are at most `limit` in absolute value.
+[[nodiscard]] bool isWithin(const CombinedCurve& curve, double limit);
+
 /// All the named grips moved by the same vector; grips that do not exist are passed over. A middle point that is moved
 /// becomes a correction; those of moved points stay where they are.
 [[nodiscard]] CombinedCurve withGripsMoved(const CombinedCurve& curve, std::span<const GripId> ids, Vector by);

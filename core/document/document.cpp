@@ -102,6 +102,10 @@ std::size_t mostPoints(const Curve& curve) {
     return std::visit([](const auto& c) { return mostPoints(c); }, curve);
 }
 
+bool isWithin(const Curve& curve, double limit) {
+    return std::visit([&](const auto& c) { return isWithin(c, limit); }, curve);
+}
+
 std::vector<Grip> grips(const Curve& curve) {
     return std::visit([](const auto& c) { return grips(c); }, curve);
 }

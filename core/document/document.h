@@ -62,6 +62,7 @@ template <class C>
 [[nodiscard]] Point pointAt(const Curve& curve, int index);
 [[nodiscard]] std::size_t derivedPointCount(const Curve& curve);
 [[nodiscard]] std::size_t mostPoints(const Curve& curve);
+[[nodiscard]] bool isWithin(const Curve& curve, double limit);
 [[nodiscard]] std::vector<Grip> grips(const Curve& curve);
 [[nodiscard]] Curve withGripsMoved(const Curve& curve, std::span<const GripId> ids, Vector by);
 /// By value, so that adding many to a moved curve copies nothing.

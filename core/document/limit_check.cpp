@@ -31,10 +31,6 @@ std::optional<FileError> errorOf(const Totals& totals, SheetIndex index) {
     return {};
 }
 
-bool isWithinNumbers(Point p) {
-    return std::abs(p.x) <= limits::kNumber && std::abs(p.y) <= limits::kNumber;
-}
-
 } // namespace
 
 FileError tooManyCurves(SheetIndex sheet, std::size_t limit) {
@@ -56,8 +52,7 @@ std::optional<FileError> limitErrorWith(const Sheet& sheet, SheetIndex index, st
                                         const Curve& curve) {
     if (pointCount(curve) > mostPoints(curve))
         return tooManyCurves(index, mostPoints(curve));
-    const std::vector<Grip> all = grips(curve);
-    if (!std::all_of(all.begin(), all.end(), [](const Grip& grip) { return isWithinNumbers(grip.at); })) {
+    if (!isWithin(curve, limits::kNumber)) {
         FileError error = tooManyCurves(index, 0);
         error.problem = FileProblem::numberOutOfRange;
         error.numbers = {-limits::kNumber, limits::kNumber};

@@ -16,6 +16,7 @@ struct Result {
     Caption caption = Caption::none;
     std::string index;          ///< "3" of the fourth segment; empty where there is only one
     std::optional<Value> value; ///< nothing where the number does not exist
+    friend bool operator==(const Result&, const Result&) = default;
 };
 
 } // namespace kriva

@@ -26,6 +26,11 @@ namespace kriva {
 /// The most points that a curve of this kind may have.
 [[nodiscard]] std::size_t mostPoints(const ElevationCurve& curve);
 
+/// Whether all its coordinates are at most `limit` in absolute value.
+[[nodiscard]] inline bool isWithin(const ElevationCurve& curve, double limit) {
+    return areWithin(curve.points, limit);
+}
+
 /// All the named grips moved by the same vector; grips that do not exist are passed over.
 [[nodiscard]] ElevationCurve withGripsMoved(const ElevationCurve& curve, std::span<const GripId> ids, Vector by);
 [[nodiscard]] Edited<ElevationCurve> withPointAdded(ElevationCurve curve, Point at);

@@ -78,5 +78,15 @@ constexpr Point mirrored(Point p, Point centre) {
 inline bool isFinite(Point p) {
     return std::isfinite(p.x) && std::isfinite(p.y);
 }
+/// Whether both coordinates are at most `limit` in absolute value; NaN is within none.
+inline bool isWithin(Point p, double limit) {
+    return std::abs(p.x) <= limit && std::abs(p.y) <= limit;
+}
+inline bool areWithin(std::span<const Point> points, double limit) {
+    for (const Point p : points)
+        if (!isWithin(p, limit))
+            return false;
+    return true;
+}
 
 } // namespace kriva

@@ -43,6 +43,16 @@ void raise(Points& polygon, const SplineCurve& curve, std::size_t segment) {
                                [&](Point p) { return Point{} + (p - curve.knots[segment].at); });
 }
 
+/// The segments seen from their first knots; none while the curve is incomplete.
+std::vector<Points> localPolygons(const SplineCurve& curve) {
+    if (isIncomplete(curve))
+        return {};
+    std::vector<Points> polygons = plainPolygons(curve);
+    for (std::size_t i = 0; i < polygons.size(); ++i)
+        raise(polygons[i], curve, i);
+    return polygons;
+}
+
 std::vector<Continuity> continuityOf(const std::vector<Points>& segments, std::size_t knotCount) {
     std::vector<Continuity> continuity(knotCount, Continuity::end);
     for (std::size_t i = 1; i < segments.size(); ++i)
@@ -100,17 +110,20 @@ std::size_t innerCount(int degree) {
 }
 
 SplineChain solveSpline(const SplineCurve& curve) {
-    if (isIncomplete(curve))
-        return {};
-    SplineChain chain;
-    chain.segments = plainPolygons(curve);
-    for (std::size_t i = 0; i < chain.segments.size(); ++i)
-        raise(chain.segments[i], curve, i);
+    SplineChain chain{localPolygons(curve), {}};
     // Told before the polygons move: far from the origin the roundings of absolute positions would break C2.
-    chain.continuity = continuityOf(chain.segments, curve.knots.size());
+    if (!isIncomplete(curve))
+        chain.continuity = continuityOf(chain.segments, curve.knots.size());
     for (std::size_t i = 0; i < chain.segments.size(); ++i)
         moveToKnots(chain.segments[i], curve, i);
     return chain;
+}
+
+std::vector<Points> segmentsOf(const SplineCurve& curve) {
+    std::vector<Points> segments = localPolygons(curve);
+    for (std::size_t i = 0; i < segments.size(); ++i)
+        moveToKnots(segments[i], curve, i);
+    return segments;
 }
 
 std::vector<Points> shapesOf(const SplineCurve& curve) {

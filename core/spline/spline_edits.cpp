@@ -78,7 +78,7 @@ class GripMover {
         , handles_(knotHandles(before))
         , ends_(endDerivatives(before, handles_)) {
         if (innerCount(before.degree) > 0)
-            segments_ = solveSpline(before).segments;
+            segments_ = segmentsOf(before);
     }
 
     void move(SplineCurve& curve, const GripId& id) const {
@@ -151,7 +151,7 @@ std::vector<Grip> grips(const SplineCurve& curve) {
             all.push_back({{GripKind::outHandle, i}, *both.out});
     }
     if (innerCount(curve.degree) > 0)
-        for (int segment = 0; const Points& polygon : solveSpline(curve).segments) {
+        for (int segment = 0; const Points& polygon : segmentsOf(curve)) {
             for (int part = 0; const Point p : innerOf(polygon))
                 all.push_back({{GripKind::inner, segment, part++}, p});
             ++segment;
@@ -162,6 +162,17 @@ std::vector<Grip> grips(const SplineCurve& curve) {
     if (ends.end)
         all.push_back({{GripKind::endDerivative}, curve.knots.back().at + *ends.end});
     return all;
+}
+
+bool isWithin(const SplineCurve& curve, double limit) {
+    const auto isFine = [limit](std::optional<Point> p) { return !p || isWithin(*p, limit); };
+    const auto isFineTip = [&](std::optional<Vector> v) { return !v || isWithin(Point{} + *v, limit); };
+    return std::ranges::all_of(curve.knots,
+                               [&](const SplineKnot& knot) {
+                                   return isWithin(knot.at, limit) && isFine(knot.in) && isFine(knot.out);
+                               }) &&
+           std::ranges::all_of(curve.inner, [&](const auto& inner) { return areWithin(inner.second, limit); }) &&
+           isFineTip(curve.startDerivative) && isFineTip(curve.endDerivative);
 }
 
 std::size_t mostPoints(const SplineCurve&) {

@@ -26,6 +26,10 @@ namespace kriva {
 /// The most points that a curve of this kind may have.
 [[nodiscard]] std::size_t mostPoints(const SplineCurve& curve);
 
+/// Whether all its stored coordinates are at most `limit` in absolute value: knots, handles, inner points and end
+/// derivatives. Handles that the rule places do not count.
+[[nodiscard]] bool isWithin(const SplineCurve& curve, double limit);
+
 /// All the named grips moved by the same vector; grips that do not exist are passed over. Stored handles and the end
 /// derivatives go with their knot, inner points where both knots of their segment go. A moved handle keeps the promise
 /// of its join, and makes an automatic knot symmetric.

@@ -33,11 +33,23 @@ Points knotPoints(const SplineCurve& curve) {
 }
 
 /// All segments' polygons in one stroke, since each starts where the one before ended.
-Layer polygonLayer(const SplineChain& chain) {
-    Points polygon{chain.segments.front().front()};
-    for (const Points& segment : chain.segments)
+Layer polygonLayer(const std::vector<Points>& segments) {
+    Points polygon{segments.front().front()};
+    for (const Points& segment : segments)
         polygon.insert(polygon.end(), segment.begin() + 1, segment.end());
     return {"control-polygon", {{polyline(polygon), Role::controlPolygon}}};
+}
+
+/// Cubics have their handles in them.
+std::vector<KnotHandles> handlesOf(const SplineCurve& curve, const std::vector<Points>& segments) {
+    if (curve.degree != 3)
+        return knotHandles(curve);
+    std::vector<KnotHandles> handles(curve.knots.size());
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        handles[i].out = segments[i][1];
+        handles[(i + 1) % handles.size()].in = segments[i][2];
+    }
+    return handles;
 }
 
 /// The handles in the order of the curve.
@@ -54,7 +66,8 @@ Points handlePoints(std::span<const KnotHandles> handles) {
 }
 
 /// The control polygon of a cubic has the lines to its handles; higher degrees get their own.
-Layer handlesLayer(const SplineCurve& curve, const SplineChain& chain, std::span<const KnotHandles> handles) {
+Layer handlesLayer(const SplineCurve& curve, const std::vector<Points>& segments,
+                   std::span<const KnotHandles> handles) {
     Layer layer{"handles"};
     layer.marks.push_back({handlePoints(handles), Role::handle});
     if (innerCount(curve.degree) == 0)
@@ -65,7 +78,7 @@ Layer handlesLayer(const SplineCurve& curve, const SplineChain& chain, std::span
         layer.strokes.push_back({polyline(line), Role::handle});
     }
     Points inner;
-    for (const Points& segment : chain.segments)
+    for (const Points& segment : segments)
         std::ranges::copy(innerOf(segment), std::back_inserter(inner));
     layer.marks.push_back({std::move(inner), Role::point});
     return layer;
@@ -87,11 +100,11 @@ Layer endDerivativesLayer(const SplineCurve& curve, std::span<const KnotHandles>
 }
 
 /// K_i at the knots, P_i at the handles (the middle points of parabolas) and c_i half way along the segments.
-Layer labelsLayer(const SplineCurve& curve, const SplineChain& chain, std::span<const KnotHandles> handles) {
+Layer labelsLayer(const SplineCurve& curve, const std::vector<Points>& segments, std::span<const KnotHandles> handles) {
     Layer layer{"labels", {}, {}, indexedLabels("K", knotPoints(curve))};
     Points placed = handlePoints(handles);
     Points halfway;
-    for (const Points& segment : chain.segments) {
+    for (const Points& segment : segments) {
         if (curve.degree == 2)
             placed.push_back(segment[1]);
         halfway.push_back(evaluate(segment, 0.5));
@@ -108,20 +121,20 @@ std::span<const LayerInfo> layersOf(const SplineCurve&) {
 }
 
 Figure figureOf(const SplineCurve& curve, const FigureContext& context) {
-    const SplineChain chain = solveSpline(curve);
-    const std::vector<KnotHandles> handles = knotHandles(curve);
+    const std::vector<Points> segments = segmentsOf(curve);
+    const std::vector<KnotHandles> handles = handlesOf(curve, segments);
     Figure figure;
     if (!isIncomplete(curve)) {
-        figure.layers.push_back(polygonLayer(chain));
+        figure.layers.push_back(polygonLayer(segments));
         figure.layers.push_back(
-            {"curve", {{kriva::chain(chain.segments, curve.closed), Role::curve, 0, 1, curve.style, context.curve}}});
+            {"curve", {{chain(segments, curve.closed), Role::curve, 0, 1, curve.style, context.curve}}});
         if (context.isActive)
             figure.layers.push_back(endDerivativesLayer(curve, handles));
-        figure.layers.push_back(handlesLayer(curve, chain, handles));
+        figure.layers.push_back(handlesLayer(curve, segments, handles));
     }
     figure.layers.push_back({"knots", {}, {{knotPoints(curve), Role::knot}}});
     if (context.isActive && curve.knots.size() <= kMostLabelledKnots)
-        figure.layers.push_back(labelsLayer(curve, chain, handles));
+        figure.layers.push_back(labelsLayer(curve, segments, handles));
     return figure;
 }
 

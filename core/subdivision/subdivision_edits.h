@@ -27,6 +27,11 @@ namespace kriva {
 /// The most points that this curve may have, given its multiplicities and levels.
 [[nodiscard]] std::size_t mostPoints(const SubdivisionCurve& curve);
 
+/// Whether all its coordinates are at most `limit` in absolute value.
+[[nodiscard]] inline bool isWithin(const SubdivisionCurve& curve, double limit) {
+    return areWithin(curve.points, limit);
+}
+
 /// All the named grips moved by the same vector; grips that do not exist are passed over.
 [[nodiscard]] SubdivisionCurve withGripsMoved(const SubdivisionCurve& curve, std::span<const GripId> ids, Vector by);
 /// The new point stands once.

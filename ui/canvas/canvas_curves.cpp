@@ -49,7 +49,16 @@ void CanvasCurves::invalidate() {
         entry.isPrepared = false;
 }
 
-void CanvasCurves::prepare(Sight& sight) {
+Box CanvasCurves::prepare(Sight& sight) {
+    choose(sight);
+    Box changed;
+    for (Entry& entry : entries_)
+        if (!std::exchange(entry.isSettled, true))
+            changed = united(changed, entry.item->settle());
+    return changed;
+}
+
+void CanvasCurves::choose(Sight& sight) {
     bool wentFiner = false;
     bool wentTooFar = false;
     for (;;) {
@@ -77,6 +86,7 @@ FrameLoad CanvasCurves::prepareStale(const Sight& sight) {
     for (Entry& entry : entries_) {
         if (!entry.isPrepared)
             entry.item->prepare(sight, pictures_, load);
+        entry.isSettled = entry.isSettled && entry.isPrepared;
         entry.isPrepared = true;
     }
     return load;

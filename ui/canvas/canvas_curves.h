@@ -37,8 +37,8 @@ class CanvasCurves {
 
     /// Everything is to be prepared anew: another sight.
     void invalidate();
-    /// Chooses the sight's fineness by what there is to paint.
-    void prepare(Sight& sight);
+    /// Chooses the sight's fineness by what there is to paint. Gives where, in pixels, the curves look different now.
+    Box prepare(Sight& sight);
 
     /// They hold as long as nothing is set, updated or prepared.
     [[nodiscard]] std::vector<HitTarget> targets() const;
@@ -65,11 +65,13 @@ class CanvasCurves {
         QString name;
         bool isActive = false;
         bool isPrepared = false;
+        bool isSettled = false; ///< and what changed is known
         std::vector<Grip> grips;
         FigureItem* item = nullptr; ///< owned by the scene
     };
 
     static void fill(Entry& entry, CanvasCurve curve);
+    void choose(Sight& sight);
     [[nodiscard]] FrameLoad prepareStale(const Sight& sight);
 
     QGraphicsScene& scene_;

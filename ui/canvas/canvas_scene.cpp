@@ -1,9 +1,13 @@
 #include "ui/canvas/canvas_scene.h"
 
+#include "ui/canvas/drawing/difference.h"
+#include "ui/canvas/qt_geometry.h"
+
 #include <QPainter>
 #include <QPalette>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace kriva::ui {
@@ -23,27 +27,24 @@ void CanvasScene::setCurves(std::vector<CanvasCurve> curves) {
 void CanvasScene::updateCurve(CanvasCurve curve) {
     curves_.update(std::move(curve));
     selectedPlaces_.reset();
-    areHighlightsPrepared_ = false;
-    update();
+    updateIn(curves_.prepare(sight_));
+    followHighlights();
 }
 
 void CanvasScene::setSelection(Selection selection) {
     selection_ = std::move(selection);
     selectedPlaces_.reset();
-    areHighlightsPrepared_ = false;
-    update();
+    followHighlights();
 }
 
 void CanvasScene::setHovered(std::optional<GripRef> grip) {
-    if (std::exchange(hovered_, grip) == grip)
-        return;
-    areHighlightsPrepared_ = false;
-    update();
+    if (std::exchange(hovered_, grip) != grip)
+        followHighlights();
 }
 
 void CanvasScene::setGhost(std::optional<Point> place) {
-    if (std::exchange(ghost_, place) != place)
-        update();
+    updateAround(std::exchange(ghost_, place));
+    updateAround(ghost_);
 }
 
 void CanvasScene::setRubberBand(std::optional<QRectF> band) {
@@ -52,8 +53,9 @@ void CanvasScene::setRubberBand(std::optional<QRectF> band) {
 }
 
 void CanvasScene::setSnap(std::optional<Snap> snap) {
-    if (std::exchange(snap_, snap) != snap)
-        update();
+    const std::optional<Snap> before = std::exchange(snap_, snap);
+    for (const std::optional<Snap>& shown : {before, snap_})
+        updateAround(shown ? std::optional(shown->at) : std::nullopt);
 }
 
 void CanvasScene::setMapping(const Viewport& mapping) {
@@ -112,6 +114,22 @@ void CanvasScene::prepareHighlights() {
     const std::optional<Point> hovered = hovered_ ? curves_.placeOf(*hovered_) : std::nullopt;
     highlights_ = highlights(selectedPlaces(), hovered, colors_, {sight_.viewport, sight_.devicePixelRatio});
     areHighlightsPrepared_ = true;
+}
+
+void CanvasScene::followHighlights() {
+    const std::vector<Stamps> before = std::move(highlights_);
+    prepareHighlights();
+    updateIn(differenceOfEach(before, highlights_, sight_.devicePixelRatio));
+}
+
+void CanvasScene::updateIn(const Box& changed) {
+    if (!changed.isEmpty())
+        update(toQt(changed));
+}
+
+void CanvasScene::updateAround(std::optional<Point> place) {
+    if (place)
+        updateIn(grown(boxOf(std::array{sight_.viewport.toPixels(*place)}), kPlaceReach));
 }
 
 Hit CanvasScene::hitAt(QPointF pixel) {

@@ -9,8 +9,9 @@
 
 namespace kriva::ui {
 
-/// The figures, grips and highlights of a canvas in its pixels. It holds what it was given and knows no gesture;
-/// everything is worked out when it is next painted or asked what lies under a pixel.
+/// The figures, grips and highlights of a canvas in its pixels. It holds what it was given and knows no gesture. What
+/// is seen is worked out when it is next painted or asked what lies under a pixel, but what a hand moves at once: no
+/// more is painted than what that changes.
 class CanvasScene : public QGraphicsScene {
     Q_OBJECT
 
@@ -57,6 +58,11 @@ class CanvasScene : public QGraphicsScene {
   private:
     void invalidate();
     void prepareHighlights();
+    /// Brings the highlights up to date and paints what is different.
+    void followHighlights();
+    void updateIn(const Box& changed);
+    /// Around a mark that paintSnap or paintGhost puts there.
+    void updateAround(std::optional<Point> place);
 
     CanvasCurves curves_{*this};
     Selection selection_;

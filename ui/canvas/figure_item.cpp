@@ -1,8 +1,10 @@
 #include "ui/canvas/figure_item.h"
 
+#include "ui/canvas/drawing/difference.h"
 #include "ui/canvas/qt_geometry.h"
 
 #include <QPainter>
+#include <QStyleOptionGraphicsItem>
 
 #include <algorithm>
 
@@ -148,11 +150,27 @@ Figure FigureItem::seenFigure(std::vector<std::vector<Label>> labels) const {
     return seen;
 }
 
-void FigureItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+Box FigureItem::difference(const PreparedLayer& before, const PreparedLayer& after) const {
+    return united(differenceOfEach(before.strokes, after.strokes),
+                  united(differenceOfEach(before.marks, after.marks, devicePixelRatio_),
+                         kriva::ui::difference(before.labels, after.labels)));
+}
+
+Box FigureItem::settle() {
+    Box changed;
+    const PreparedLayer none;
+    for (std::size_t i = 0; i < std::max(settled_.size(), layers_.size()); ++i)
+        changed = united(changed,
+                         difference(i < settled_.size() ? settled_[i] : none, i < layers_.size() ? layers_[i] : none));
+    settled_ = layers_; // polylines are shared
+    return changed;
+}
+
+void FigureItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
     const LabelFonts fonts = labelFonts(kPixelsPerPoint);
     for (const PreparedLayer& layer : layers_) {
         for (const PreparedStroke& stroke : layer.strokes)
-            kriva::ui::paint(*painter, stroke);
+            kriva::ui::paint(*painter, stroke, option->exposedRect);
         for (const Stamps& marks : layer.marks)
             kriva::ui::paint(*painter, marks, devicePixelRatio_);
         painter->setPen(labelColor_);

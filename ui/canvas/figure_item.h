@@ -27,11 +27,14 @@ inline constexpr std::size_t kMostLabels = 200;
 /// The figure of one curve. What is seen of it is worked out in prepare(); painting only draws.
 class FigureItem : public QGraphicsItem {
   public:
+    FigureItem() { setFlag(ItemUsesExtendedStyleOption); } // which part of it is to be painted
     void setFigure(Figure figure) { figure_ = std::move(figure); }
     [[nodiscard]] const Figure& figure() const { return figure_; }
 
     /// Adds to the load of the frame, and stops early where that is too much.
     void prepare(const Sight& sight, MarkPictures& pictures, FrameLoad& frame);
+    /// What is prepared now is what is painted next: where, in pixels, that differs from what it was at the last call.
+    [[nodiscard]] Box settle();
     /// Its part of the frame.
     [[nodiscard]] const FrameLoad& load() const { return load_; }
     /// The polylines of the curve itself, by which it is taken hold of.
@@ -46,6 +49,7 @@ class FigureItem : public QGraphicsItem {
         std::vector<Stamps> marks;
         std::vector<PlacedLabel> labels;
     };
+    [[nodiscard]] Box difference(const PreparedLayer& before, const PreparedLayer& after) const;
 
     void prepareLayer(const Layer& layer, const Sight& sight, MarkPictures& pictures, FrameLoad& frame);
     [[nodiscard]] PreparedStroke prepared(const Stroke& stroke, const Sight& sight, FrameLoad& frame);
@@ -55,6 +59,7 @@ class FigureItem : public QGraphicsItem {
 
     Figure figure_;
     std::vector<PreparedLayer> layers_;
+    std::vector<PreparedLayer> settled_;
     std::vector<QPolygonF> curveLines_;
     FrameLoad load_;
     double devicePixelRatio_ = 1;

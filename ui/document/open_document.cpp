@@ -150,7 +150,7 @@ void OpenDocument::push(SheetIndex sheet, Serial serial, std::optional<PlacedCur
 }
 
 std::optional<PlacedCurve> OpenDocument::exchange(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other) {
-    const std::optional<int> newIndex = other ? std::optional(other->index) : std::nullopt;
+    const int newIndex = other ? other->index : -1;
     std::optional<PlacedCurve> before = present_.exchange(sheet, serial, std::move(other));
     if (before && before->index == newIndex)
         Q_EMIT curveChanged(sheet, serial);

@@ -7,6 +7,8 @@
 #include <QColor>
 #include <QFont>
 
+#include <utility>
+
 namespace kriva::ui {
 namespace {
 
@@ -20,20 +22,38 @@ QColor colorOf(const Curve& curve) {
 CurvesModel::CurvesModel(SheetEditor& editor, QObject* parent)
     : QAbstractListModel(parent)
     , editor_(editor) {
-    const auto reset = [this] {
-        beginResetModel();
-        endResetModel();
-    };
-    connect(&editor.document(), &OpenDocument::replaced, this, reset);
-    connect(&editor.document(), &OpenDocument::curvesChanged, this, [this, reset](SheetIndex sheet) {
+    connect(&editor.document(), &OpenDocument::replaced, this, &CurvesModel::reset);
+    connect(&editor.document(), &OpenDocument::curvesChanged, this, [this](SheetIndex sheet) {
         if (sheet == editor_.index())
             reset();
     });
     connect(&editor.document(), &OpenDocument::curveChanged, this, [this](SheetIndex sheet, Serial serial) {
         if (sheet == editor_.index())
-            if (const std::optional<int> row = editor_.document().indexOf(sheet, serial))
-                Q_EMIT dataChanged(index(*row), index(*row));
+            follow(serial);
     });
+    reset();
+}
+
+CurvesModel::Row CurvesModel::rowOf(int row) const {
+    const Curve& curve = editor_.sheet().curves[static_cast<std::size_t>(row)];
+    return {nameOf(curve), styleOf(curve), viewOf(curve)};
+}
+
+void CurvesModel::reset() {
+    beginResetModel();
+    shown_.clear();
+    for (int row = 0; row < rowCount(); ++row)
+        shown_.push_back(rowOf(row));
+    endResetModel();
+}
+
+void CurvesModel::follow(Serial serial) {
+    const std::optional<int> row = editor_.document().indexOf(editor_.index(), serial);
+    if (!row || *row >= std::ssize(shown_))
+        return;
+    Row now = rowOf(*row);
+    if (std::exchange(shown_[static_cast<std::size_t>(*row)], now) != now)
+        Q_EMIT dataChanged(index(*row), index(*row));
 }
 
 int CurvesModel::rowCount(const QModelIndex& parent) const {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "core/document/style.h"
 #include "ui/document/serial.h"
 
 #include <QAbstractListModel>
+
+#include <vector>
 
 namespace kriva::ui {
 
@@ -23,7 +26,19 @@ class CurvesModel : public QAbstractListModel {
     void retranslate();
 
   private:
+    /// What a row shows of its curve.
+    struct Row {
+        std::string name;
+        CurveStyle style;
+        CurveView view;
+        friend bool operator==(const Row&, const Row&) = default;
+    };
+    [[nodiscard]] Row rowOf(int row) const;
+    void reset();
+    void follow(Serial serial);
+
     SheetEditor& editor_;
+    std::vector<Row> shown_; ///< what views know of
 };
 
 } // namespace kriva::ui

@@ -6,6 +6,9 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
+#include <utility>
+
 namespace kriva::ui {
 namespace {
 
@@ -20,6 +23,20 @@ QString rounded(double number) {
 
 std::size_t ownColumn(int column) {
     return static_cast<std::size_t>(column - kOwnColumns);
+}
+
+/// The first and the last row with another point; all, where no point differs: then something else does.
+std::pair<int, int> differingRows(const Points& before, const Points& now) {
+    const auto first = std::ranges::mismatch(before, now).in1 - before.begin();
+    if (first == std::ssize(before))
+        return {0, static_cast<int>(first) - 1};
+    const auto isSame = [&](std::ptrdiff_t i) {
+        return before[static_cast<std::size_t>(i)] == now[static_cast<std::size_t>(i)];
+    };
+    std::ptrdiff_t last = std::ssize(before) - 1;
+    while (isSame(last))
+        --last;
+    return {static_cast<int>(first), static_cast<int>(last)};
 }
 
 } // namespace
@@ -41,22 +58,35 @@ PointsModel::PointsModel(SheetEditor& editor, std::vector<PointColumn> columns, 
 
 void PointsModel::follow() {
     const Curve* curve = editor_.activeCurve();
-    const int rows = curve ? static_cast<int>(pointCount(*curve)) : 0;
-    if (rows > rows_) {
-        beginInsertRows({}, rows_, rows - 1);
-        rows_ = rows;
+    Points now;
+    for (int i = 0; curve && i < static_cast<int>(pointCount(*curve)); ++i)
+        now.push_back(kriva::pointAt(*curve, i));
+    const int rows = static_cast<int>(now.size());
+    const int before = rowCount();
+    if (rows == before) {
+        const auto [first, last] = differingRows(std::exchange(shown_, std::move(now)), shown_);
+        tellChanged(first, last);
+        return;
+    }
+    if (rows > before) {
+        beginInsertRows({}, before, rows - 1);
+        shown_ = std::move(now);
         endInsertRows();
-    } else if (rows < rows_) {
-        beginRemoveRows({}, rows, rows_ - 1);
-        rows_ = rows;
+    } else {
+        beginRemoveRows({}, rows, before - 1);
+        shown_ = std::move(now);
         endRemoveRows();
     }
-    retranslate();
+    tellChanged(0, rows - 1);
+}
+
+void PointsModel::tellChanged(int first, int last) {
+    if (first <= last)
+        Q_EMIT dataChanged(index(first, 0), index(last, columnCount() - 1));
 }
 
 void PointsModel::retranslate() {
-    if (rows_ > 0)
-        Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, columnCount() - 1));
+    tellChanged(0, rowCount() - 1);
     Q_EMIT headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
 }
 

@@ -29,7 +29,9 @@ class PointsModel : public QAbstractTableModel {
     static constexpr int kX = 0;
     static constexpr int kY = 1;
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : rows_; }
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override {
+        return parent.isValid() ? 0 : static_cast<int>(shown_.size());
+    }
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
@@ -40,10 +42,11 @@ class PointsModel : public QAbstractTableModel {
 
   private:
     void follow();
+    void tellChanged(int first, int last);
 
     SheetEditor& editor_;
     std::vector<PointColumn> columns_;
-    int rows_ = 0;
+    Points shown_; ///< what views know of
 };
 
 } // namespace kriva::ui

@@ -2,6 +2,7 @@
 
 #include "ui/panels/result_text.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace kriva::ui {
@@ -14,26 +15,47 @@ constexpr int kFullDigits = 17;
 
 } // namespace
 
-void ResultsModel::setResults(std::vector<Result> results) {
+bool ResultsModel::setResults(std::vector<Result> results) {
     const int before = rowCount();
     const int now = static_cast<int>(results.size());
+    if (now == before)
+        return exchange(std::move(results));
     if (now > before) {
         beginInsertRows({}, before, now - 1);
         results_ = std::move(results);
         endInsertRows();
-    } else if (now < before) {
+    } else {
         beginRemoveRows({}, now, before - 1);
         results_ = std::move(results);
         endRemoveRows();
-    } else {
-        results_ = std::move(results);
     }
-    retranslate();
+    tellChanged(0, now - 1);
+    return true;
+}
+
+bool ResultsModel::exchange(std::vector<Result> results) {
+    const std::vector<Result> before = std::exchange(results_, std::move(results));
+    bool areNamesNew = false;
+    int first = rowCount();
+    int last = -1;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (before[i] == results_[i])
+            continue;
+        first = std::min(first, static_cast<int>(i));
+        last = static_cast<int>(i);
+        areNamesNew |= before[i].caption != results_[i].caption || before[i].index != results_[i].index;
+    }
+    tellChanged(first, last);
+    return areNamesNew;
+}
+
+void ResultsModel::tellChanged(int first, int last) {
+    if (first <= last)
+        Q_EMIT dataChanged(index(first, 0), index(last, columns - 1));
 }
 
 void ResultsModel::retranslate() {
-    if (!results_.empty())
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+    tellChanged(0, rowCount() - 1);
     Q_EMIT headerDataChanged(Qt::Horizontal, 0, columns - 1);
 }
 

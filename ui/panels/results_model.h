@@ -14,7 +14,8 @@ class ResultsModel : public QAbstractTableModel {
   public:
     using QAbstractTableModel::QAbstractTableModel;
 
-    void setResults(std::vector<Result> results);
+    /// Whether any row has another name than before.
+    bool setResults(std::vector<Result> results);
     void retranslate();
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -24,6 +25,10 @@ class ResultsModel : public QAbstractTableModel {
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
   private:
+    /// As many as before.
+    bool exchange(std::vector<Result> results);
+    void tellChanged(int first, int last);
+
     std::vector<Result> results_;
 };
 

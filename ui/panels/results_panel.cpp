@@ -53,8 +53,8 @@ void ResultsPanel::showState() {
     std::vector<Result> rows = results_.results();
     const std::vector<Result>& ofSheet = relations_.relations().results;
     rows.insert(rows.end(), ofSheet.begin(), ofSheet.end());
-    model_.setResults(std::move(rows));
-    showColumns();
+    if (model_.setResults(std::move(rows)))
+        showColumns();
 }
 
 void ResultsPanel::showColumns() {

@@ -3,10 +3,44 @@
 #include <QEvent>
 #include <QLocale>
 
+#include <algorithm>
+
 namespace kriva::ui {
 namespace {
 
 constexpr int kDigits = 6; // of a coordinate: what a pointer can tell apart
+
+/// A place for a label whose text changes with every move of the pointer. In a layout of its own, each text would have
+/// the whole window laid out and painted anew. It grows with the texts but does not shrink, so that nothing jumps.
+class LabelPlace : public QWidget {
+  public:
+    LabelPlace(QLabel* label, bool grows, QWidget* parent)
+        : QWidget(parent)
+        , label_(label)
+        , grows_(grows) {
+        label->setParent(this);
+    }
+    [[nodiscard]] QSize sizeHint() const override {
+        const QSize needed = label_->sizeHint();
+        return {grows_ ? std::max(width_, needed.width()) : 0, needed.height()};
+    }
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+  protected:
+    bool event(QEvent* event) override {
+        if (event->type() == QEvent::LayoutRequest && grows_ && sizeHint().width() > width_) {
+            width_ = sizeHint().width();
+            updateGeometry();
+        }
+        return QWidget::event(event);
+    }
+    void resizeEvent(QResizeEvent*) override { label_->setGeometry(rect()); }
+
+  private:
+    QLabel* label_;
+    bool grows_;
+    int width_ = 0;
+};
 
 } // namespace
 
@@ -18,9 +52,9 @@ StatusRow::StatusRow(QWidget* parent)
     hint_->setObjectName(QStringLiteral("hint"));
     pointer_->setObjectName(QStringLiteral("pointer"));
     zoom_->setObjectName(QStringLiteral("zoom"));
-    addWidget(hint_, 1);
-    addPermanentWidget(pointer_);
-    addPermanentWidget(zoom_);
+    addWidget(new LabelPlace(hint_, false, this), 1);
+    addPermanentWidget(new LabelPlace(pointer_, true, this));
+    addPermanentWidget(new LabelPlace(zoom_, true, this));
     retranslateUi();
 }
 

@@ -24,7 +24,7 @@ struct ChainPlace {
 constexpr double kLeastT = 1e-3;
 
 std::optional<ChainPlace> placeNear(const SplineCurve& curve, Point point) {
-    const std::vector<Points> segments = solveSpline(curve).segments;
+    const std::vector<Points> segments = segmentsOf(curve);
     std::optional<ChainPlace> place;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -88,7 +88,7 @@ SplineCurve cut(const SplineCurve& curve, std::size_t segment, const Halves& hal
 Edited<SplineCurve> withKnotInserted(const SplineCurve& curve, int segment, double t) {
     assert(t > 0 && t < 1);
     const auto index = static_cast<std::size_t>(segment);
-    const Points polygon = solveSpline(curve).segments[index];
+    const Points polygon = segmentsOf(curve)[index];
     Edited<SplineCurve> edited{curve, mapWithInserted(static_cast<int>(curve.knots.size()), segment + 1)};
     if (curve.degree > 2) {
         edited.curve = cut(curve, index, split(polygon, t), t);

@@ -152,7 +152,7 @@ struct Gap {
 
 /// Gaps at open ends are none: there is nothing to join.
 std::vector<Gap> gapsOf(const SplineCurve& curve, const IndexMap& map) {
-    const std::vector<Points> segments = solveSpline(curve).segments;
+    const std::vector<Points> segments = segmentsOf(curve);
     const std::size_t count = curve.knots.size();
     const auto stays = [&](std::size_t i) { return map(static_cast<int>(i % count)) != IndexMap::kGone; };
     std::vector<Gap> gaps;

@@ -25,6 +25,9 @@ void paintSnap(QPainter& painter, const Snap& snap, const HighlightColors& color
 /// The dot where a point would be inserted, in pixels.
 void paintGhost(QPainter& painter, QPointF at, const HighlightColors& colors);
 
+/// How far from their places these two paint, at most, in pixels.
+inline constexpr double kPlaceReach = 14;
+
 /// The rectangle in which points are being selected, in pixels.
 void paintRubberBand(QPainter& painter, const QRectF& band, const HighlightColors& colors);
 

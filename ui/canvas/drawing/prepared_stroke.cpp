@@ -1,10 +1,14 @@
 #include "ui/canvas/drawing/prepared_stroke.h"
 
+#include "ui/canvas/qt_geometry.h"
+
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <span>
 
 namespace kriva::ui {
 namespace {
@@ -68,6 +72,19 @@ void forEachLine(const QPolygonF& polyline, Visit visit) {
     return points <= kMostJoined && length * stroke.pen.widthF() <= kMostJoinedInk;
 }
 
+void paintLines(QPainter& painter, const QList<QLineF>& lines, const Box& reached) {
+    qsizetype first = 0;
+    const auto paintUpTo = [&](qsizetype end) {
+        if (end > first)
+            painter.drawLines(lines.constData() + first, static_cast<int>(end - first));
+        first = end + 1;
+    };
+    for (qsizetype i = 0; i < lines.size(); ++i)
+        if (!overlap(boxOf(std::array{lines[i].p1(), lines[i].p2()}), reached))
+            paintUpTo(i);
+    paintUpTo(lines.size());
+}
+
 } // namespace
 
 PreparedStroke preparedStroke(std::vector<QPolygonF> polylines, QPen pen, double devicePixelRatio) {
@@ -89,19 +106,24 @@ PreparedStroke preparedStroke(std::vector<QPolygonF> polylines, QPen pen, double
     return stroke;
 }
 
-void paint(QPainter& painter, const PreparedStroke& stroke) {
+void paint(QPainter& painter, const PreparedStroke& stroke, const QRectF& seen) {
     painter.setPen(stroke.pen);
-    painter.drawLines(stroke.lines);
+    const double reach = stroke.pen.widthF() + 1;
+    const Box reached = grown(toCore(seen), reach);
+    paintLines(painter, stroke.lines, reached);
     if (!stroke.lines.empty())
         return;
-    const bool isFast = stroke.pen.style() != Qt::SolidLine;
+    const bool isDashed = stroke.pen.style() != Qt::SolidLine;
     for (const QPolygonF& polyline : stroke.polylines) {
-        // Each part begins with the last line of the one before, so that the joint between them has no gap.
-        const qsizetype step = isFast ? polyline.size() : kPointsAtOnce;
+        // Each part begins with the last line of the one before, so that the joint between them has no gap. Dashes go
+        // on from one line to the next.
+        const qsizetype step = isDashed ? std::max<qsizetype>(1, polyline.size()) : kPointsAtOnce;
         for (qsizetype first = 0; first + 1 < polyline.size(); first += step) {
             const qsizetype from = std::max<qsizetype>(0, first - 1);
             const qsizetype to = std::min(polyline.size(), first + step + 1);
-            painter.drawPolyline(polyline.constData() + from, static_cast<int>(to - from));
+            const std::span part(polyline.constData() + from, static_cast<std::size_t>(to - from));
+            if (overlap(boxOf(part), reached))
+                painter.drawPolyline(part.data(), static_cast<int>(part.size()));
         }
     }
 }

@@ -4,6 +4,7 @@
 #include <QList>
 #include <QPen>
 #include <QPolygonF>
+#include <QRectF>
 
 #include <vector>
 
@@ -21,6 +22,7 @@ struct PreparedStroke {
 
 [[nodiscard]] PreparedStroke preparedStroke(std::vector<QPolygonF> polylines, QPen pen, double devicePixelRatio);
 
-void paint(QPainter& painter, const PreparedStroke& stroke);
+/// At least what is seen of it in the rectangle, in the same way as all of it.
+void paint(QPainter& painter, const PreparedStroke& stroke, const QRectF& seen);
 
 } // namespace kriva::ui

@@ -118,7 +118,7 @@ void SplineProperties::showDerivative(const DerivativeRow& row, End end) {
     const auto& value = curve<SplineCurve>();
     const bool isUsed = value.rule == SplineCurve::Rule::clamped && !value.closed && value.degree > 2;
     const std::optional<Vector> given = givenDerivative(end);
-    const EndDerivatives present = endDerivatives(value, knotHandles(value));
+    const EndDerivatives present = isUsed ? endDerivatives(value, knotHandles(value)) : EndDerivatives{};
     const Vector shown = given.value_or((end == End::start ? present.start : present.end).value_or(Vector{}));
     const QSignalBlocker blocker(row.isGiven);
     row.isGiven->setChecked(given.has_value());
