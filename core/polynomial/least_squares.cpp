@@ -1,5 +1,7 @@
 #include "core/polynomial/least_squares.h"
 
+#include "core/numbers/vector_registers.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -122,6 +124,7 @@ Fit fitLeastSquares(std::span<const Point> points, int degree) {
     assert(!points.empty() && degree >= 0);
     if (points.size() <= static_cast<std::size_t>(degree) + 1)
         return fitThroughAll(points);
+    clearVectorRegisters();
     const Column places = mappedPlaces(points);
     Column residuals;
     residuals.reserve(points.size());
