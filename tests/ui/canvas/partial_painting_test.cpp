@@ -1,0 +1,97 @@
+#include "core/figure/labels.h"
+#include "tests/ui/canvas/canvas_fixture.h"
+
+#include <QImage>
+#include <QScreen>
+#include <QTest>
+
+#include <cmath>
+
+// A move paints no more than what it changes; what stands on the screen then is what painting everything would give.
+namespace kriva::ui {
+namespace {
+
+/// A wave of cubics with its polygon, marks and labels, in every kind of pen.
+CanvasCurve waveOf(Points knots, double width, std::optional<LineDash> dash) {
+    Path path{{knots.front()}, {}, false};
+    for (std::size_t i = 1; i < knots.size(); ++i) {
+        const Vector way = knots[i] - knots[i - 1];
+        const Vector across{-way.y / 4, way.x / 4};
+        path.points.insert(path.points.end(), {knots[i - 1] + way / 3 + across, knots[i] - way / 3 - across, knots[i]});
+        path.degrees.push_back(3);
+    }
+    CanvasCurve curve;
+    curve.serial = 1;
+    curve.isActive = true;
+    CurveStyle style;
+    style.width = width;
+    style.dash = dash;
+    curve.figure.layers = {{"control-polygon", {{.path = polyline(knots), .role = Role::controlPolygon}}},
+                           {"curve", {{.path = path, .style = style}}},
+                           {"knots", {}, {{knots, Role::knot}}}};
+    if (knots.size() < 50)
+        curve.figure.layers.push_back({"labels", {}, {}, indexedLabels("K", knots)});
+    for (const Point knot : knots)
+        curve.grips.push_back({{GripKind::point, static_cast<int>(curve.grips.size()), 0}, knot});
+    return curve;
+}
+
+struct Case {
+    int count;
+    double width;
+    std::optional<LineDash> dash;
+};
+
+class PartialPainting : public ::testing::TestWithParam<Case> {
+  protected:
+    PartialPainting() {
+        client.view = &view;
+        view.resize(400, 300);
+        view.show();
+        for (int i = 0; i < GetParam().count; ++i) {
+            const double t = 2.0 * i / (GetParam().count - 1) - 1;
+            knots.push_back({t, 0.7 * std::sin(12 * t)});
+        }
+        view.setCurves({curve()});
+        view.setMapping(zoomedTo({.scale = 1, .centre = {}, .size = {400, 300}, .unitScale = 180}, 1));
+        QTest::qWait(0);
+        QCoreApplication::processEvents();
+    }
+    CanvasCurve curve() { return waveOf(knots, GetParam().width, GetParam().dash); }
+    QImage onScreen() {
+        QCoreApplication::processEvents();
+        QCoreApplication::processEvents(); // scenes tell their views a turn later
+        return view.screen()->grabWindow(view.winId()).toImage().convertToFormat(QImage::Format_RGB32);
+    }
+    QImage painted() { return view.grab().toImage().convertToFormat(QImage::Format_RGB32); }
+
+    RecordingClient client;
+    CanvasView view{client};
+    Points knots;
+};
+
+TEST_P(PartialPainting, ofMovesLeavesWhatPaintingAllGives) {
+    EXPECT_EQ(onScreen(), painted());
+    const QImage before = painted();
+    const std::size_t moved = knots.size() / 3;
+    view.setSelection({{1, {GripKind::point, static_cast<int>(moved)}}});
+    for (int move = 1; move <= 12; ++move) {
+        knots[moved] = knots[moved] + Vector{0.013 * move, 0.11 - 0.02 * move};
+        view.updateCurve(curve());
+        view.showSnap(move % 3 == 0 ? std::optional(Snap{knots[moved], SnapKind::point}) : std::nullopt);
+        view.setGhost(move % 4 == 0 ? std::optional(knots[0]) : std::nullopt);
+        ASSERT_EQ(onScreen(), painted()) << move;
+    }
+    EXPECT_NE(before, painted());
+    view.setSelection({});
+    EXPECT_EQ(onScreen(), painted());
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEveryPen, PartialPainting,
+                         ::testing::Values(Case{4, 1, {}}, Case{30, 1.4, {}}, Case{30, 6, {}},
+                                           Case{30, 0.5, LineDash::dashed}, Case{30, 3, LineDash::dashDot},
+                                           Case{3'000, 1.4, {}}, Case{3'000, 6, LineDash::dotted},
+                                           Case{20'000, 1.4, {}}));
+
+} // namespace
+} // namespace kriva::ui
