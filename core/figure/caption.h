@@ -59,6 +59,32 @@ enum class Caption {
     largestKink,
     slopeVariation,
     incomplete,
+    // plots and tables
+    bernsteinPolynomials,
+    controlPoint,
+    weight,
+    weightsAtT,
+    level,        ///< by number
+    leftAndRight, ///< the polygons of the two parts
+    newPoints,    ///< of the last elevation
+    hodograph,
+    segment,
+    rule,
+    allRules,
+    ruleMirror,
+    ruleNatural,
+    ruleClamped,
+    ruleCatmullRom,
+    largestCurvature,
+    run, ///< by number
+    afterRun,
+    valuesOfRuns,
+    slopesOfRuns,
+    method,
+    methods,
+    interpolation,
+    approximation,
+    pairs,
 };
 
 } // namespace kriva

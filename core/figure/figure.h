@@ -27,6 +27,12 @@ enum class Role {
     crossing,
     derivative,
     label,
+    // of plots
+    axis,
+    gridLine,
+    plotLine,  ///< series: the number of the line
+    reference, ///< what a line is compared with
+    plotMark,  ///< on a line, where it is looked at
 };
 
 /// A chain of Bézier pieces of any degrees: piece i has degrees[i] + 1 points and starts where the one before ended.
@@ -74,8 +80,16 @@ struct Marks {
     friend bool operator==(const Marks&, const Marks&) = default;
 };
 
-/// On which side of its point a label stands: labels of one point keep out of each other's way.
-enum class LabelSide { aboveRight, aboveLeft, belowLeft, belowRight };
+/// On which side of its point a label stands: labels of one point keep out of each other's way. The words and numbers
+/// of axes stand exactly to the left, to the right, above or below, whatever is there.
+enum class LabelSide { aboveRight, aboveLeft, belowLeft, belowRight, left, right, above, below };
+
+/// A number that a label has before its text, in the language of the figure.
+struct LabelNumber {
+    double value = 0;
+    int decimals = 0;
+    friend bool operator==(const LabelNumber&, const LabelNumber&) = default;
+};
 
 /// A letter with an index ("b" with "3" below), a caption, or a number, beside a point.
 struct Label {
@@ -86,6 +100,7 @@ struct Label {
     Role role = Role::label;
     std::string suffix = {}; ///< behind the index, on the line of the text: "×3"
     LabelSide side = LabelSide::aboveRight;
+    std::optional<LabelNumber> number = {};
     friend bool operator==(const Label&, const Label&) = default;
 };
 

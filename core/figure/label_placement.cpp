@@ -43,10 +43,14 @@ double lengthOf(std::string_view utf8) {
 
 PlacedLabel unplaced(const Label& label, const TextSource& texts) {
     PlacedLabel placed;
-    placed.text = label.caption == Caption::none ? label.text : texts.translate(label.caption) + label.text;
+    if (label.caption != Caption::none)
+        placed.text = texts.translate(label.caption);
+    if (label.number)
+        placed.text += texts.number(label.number->value, label.number->decimals);
+    placed.text += label.text;
     placed.subscript = label.subscript;
     placed.suffix = label.suffix;
-    placed.isVariable = label.caption == Caption::none && label.text.size() == 1 && isLetter(label.text[0]);
+    placed.isVariable = placed.text == label.text && label.text.size() == 1 && isLetter(label.text[0]);
     placed.role = label.role;
     return placed;
 }
@@ -104,8 +108,20 @@ Vector asked(LabelSide side) {
         return {-kHalf, kHalf};
     case LabelSide::belowRight:
         return {kHalf, kHalf};
+    case LabelSide::left:
+        return {-1, 0};
+    case LabelSide::right:
+        return {1, 0};
+    case LabelSide::above:
+        return {0, -1};
+    case LabelSide::below:
+        return {0, 1};
     }
     return {};
+}
+
+bool isExact(LabelSide side) {
+    return side == LabelSide::left || side == LabelSide::right || side == LabelSide::above || side == LabelSide::below;
 }
 
 /// What stands in the way of a label, in millimetres of line that it would hide and the like.
@@ -134,9 +150,12 @@ Vector bestDirection(const PlacedLabel& label, Point point, Vector wanted, const
 
 std::vector<Label> withoutRepetition(const std::vector<Label>& labels) {
     std::vector<Label> different;
-    std::set<std::tuple<double, double, Caption, std::string_view, std::string_view, std::string_view>> known;
+    std::set<std::tuple<double, double, Caption, double, std::string_view, std::string_view, std::string_view>> known;
     for (const Label& label : labels)
-        if (known.emplace(label.at.x, label.at.y, label.caption, label.text, label.subscript, label.suffix).second)
+        if (known
+                .emplace(label.at.x, label.at.y, label.caption, label.number ? label.number->value : 0, label.text,
+                         label.subscript, label.suffix)
+                .second)
             different.push_back(label);
     return different;
 }
@@ -158,7 +177,8 @@ std::vector<std::vector<PlacedLabel>> placedLabels(const Figure& figure, const P
         for (std::size_t i = 0; i < labels.size(); ++i) {
             PlacedLabel label = unplaced(labels[i], texts);
             const Vector wanted = outwards(points, i) + asked(labels[i].side);
-            const Vector direction = bestDirection(label, points[i], wanted, obstacles, page);
+            const Vector direction = isExact(labels[i].side) ? asked(labels[i].side)
+                                                             : bestDirection(label, points[i], wanted, obstacles, page);
             put(label, points[i], direction);
             if (count <= kMostSearched)
                 obstacles.addText(grown(boxBeside(points[i], direction, label), kAir));

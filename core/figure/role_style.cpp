@@ -35,6 +35,15 @@ constexpr std::array<Ink, 4> kRunInks{{{kBlue, kSkyBlue}, {kOrange, kGreen}, {kG
 constexpr std::array<Ink, 4> kLevelInks{
     {{kGreen, kGreen}, {kOrange, kOrange}, {kPurple, kPurple}, {kSkyBlue, kSkyBlue}}};
 
+constexpr Ink kFaint{{0xde, 0xde, 0xde}, {0x3a, 0x3e, 0x45}};
+// Six lines of a plot, then the same inks again with other dashes.
+constexpr std::array<Ink, 6> kPlotInks{{{kBlue, kSkyBlue},
+                                        {kVermillion, kVermillion},
+                                        {kGreen, kGreen},
+                                        {kPurple, kPurple},
+                                        {kOrange, kOrange},
+                                        {kSkyBlue, kYellow}}};
+
 constexpr std::array<double, 2> kDashes{3, 1.5};
 constexpr std::array<double, 2> kDots{1.2, 1.4};
 constexpr std::array<double, 4> kDashDot{4.5, 1.5, 1.1, 1.5};
@@ -131,6 +140,17 @@ RoleStyle styleOf(Role role, int series, Theme theme) {
         return on.hollow(on.line(kVermillion, 0.9, kDashDot), Marker::circle, 3.2, 0.8);
     case Role::label:
         return on.line(kText, 0);
+    case Role::axis:
+        return on.line(kDarkGrey, 0.6);
+    case Role::gridLine:
+        return on.line(kFaint, 0.4);
+    case Role::plotLine:
+        return on.line(cyclic(kPlotInks, series), 1.1,
+                       cyclic(kLevelDashes, series / static_cast<int>(kPlotInks.size())));
+    case Role::reference:
+        return on.line(kGrey, 0.9, kDashes);
+    case Role::plotMark:
+        return on.filled(on.line(kText, 0), Marker::circle, 3.4);
     }
     return {};
 }

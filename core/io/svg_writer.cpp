@@ -4,6 +4,7 @@
 #include "core/figure/color.h"
 #include "core/figure/label_placement.h"
 #include "core/figure/labels.h"
+#include "core/figure/plot/plot_figure.h"
 #include "core/io/svg_namespace.h"
 #include "core/io/svg_path.h"
 #include "core/io/xml_text.h"
@@ -228,6 +229,18 @@ std::string writeSheetSvg(const Document& document, SheetIndex sheet, const Text
         content.document = writeDocument(document, 0);
         content.document.pop_back(); // one line of the file, without its end
     }
+    return writeSvg(content, texts);
+}
+
+std::string writePlotsSvg(std::span<const Plot> plots, const TextSource& texts, Theme theme) {
+    const PlotSize size;
+    SvgContent content;
+    content.figure = plotFigure(plots, size);
+    content.page = plotPage(plots.size(), size);
+    content.theme = theme;
+    for (const Plot& plot : plots)
+        content.title.append(content.title.empty() ? "" : ", ").append(texts.translate(plot.caption));
+    content.description = content.title;
     return writeSvg(content, texts);
 }
 

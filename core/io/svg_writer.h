@@ -2,6 +2,7 @@
 
 #include "core/document/document.h"
 #include "core/figure/page.h"
+#include "core/figure/plot/plot.h"
 #include "core/figure/role_style.h"
 #include "core/figure/text_source.h"
 
@@ -30,5 +31,9 @@ struct SvgOptions {
 /// The figure of a sheet under its view as an SVG file; readDocumentFromSvg gives the document back bit for bit.
 [[nodiscard]] std::string writeSheetSvg(const Document& document, SheetIndex sheet, const TextSource& texts,
                                         const SvgOptions& options = {});
+
+/// Plots as an SVG file, each as large as PlotSize is at first, one above the other.
+[[nodiscard]] std::string writePlotsSvg(std::span<const Plot> plots, const TextSource& texts,
+                                        Theme theme = Theme::light);
 
 } // namespace kriva

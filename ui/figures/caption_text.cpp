@@ -118,6 +118,56 @@ class Captions {
             return tr("Slope variation");
         case Caption::incomplete:
             return tr("This curve needs more points");
+        case Caption::bernsteinPolynomials:
+            return tr("Bernstein polynomials");
+        case Caption::controlPoint:
+            return tr("Control point");
+        case Caption::weight:
+            return tr("Weight");
+        case Caption::weightsAtT:
+            return tr("Weights at t");
+        case Caption::level:
+            return tr("Level");
+        case Caption::leftAndRight:
+            return tr("Left and right polygon");
+        case Caption::newPoints:
+            return tr("Points of the last elevation");
+        case Caption::hodograph:
+            return tr("Hodograph");
+        case Caption::segment:
+            return tr("Segment");
+        case Caption::rule:
+            return tr("Rule");
+        case Caption::allRules:
+            return tr("All rules");
+        case Caption::ruleMirror:
+            return tr("Mirror");
+        case Caption::ruleNatural:
+            return tr("Natural");
+        case Caption::ruleClamped:
+            return tr("Clamped");
+        case Caption::ruleCatmullRom:
+            return tr("Catmull–Rom");
+        case Caption::largestCurvature:
+            return tr("Largest curvature");
+        case Caption::run:
+            return tr("Run");
+        case Caption::afterRun:
+            return tr("After run");
+        case Caption::valuesOfRuns:
+            return tr("Values of the runs, y(x)");
+        case Caption::slopesOfRuns:
+            return tr("Slopes of the runs, y′(x)");
+        case Caption::method:
+            return tr("Method");
+        case Caption::methods:
+            return tr("Comparison of methods");
+        case Caption::interpolation:
+            return tr("Interpolation");
+        case Caption::approximation:
+            return tr("Approximation");
+        case Caption::pairs:
+            return tr("Pairs");
         }
         return {};
     }

@@ -54,7 +54,11 @@ QString resultName(const Result& result) {
 }
 
 QString resultValue(const Result& result, int digits) {
-    return result.value ? std::visit(ValueText{digits}, *result.value) : QStringLiteral("–");
+    return result.value ? valueText(*result.value, digits) : QStringLiteral("–");
+}
+
+QString valueText(const Result::Value& value, int digits) {
+    return std::visit(ValueText{digits}, value);
 }
 
 } // namespace kriva::ui

@@ -11,5 +11,7 @@ namespace kriva::ui {
 
 /// Its value in the present language with so many significant digits; a dash where there is none.
 [[nodiscard]] QString resultValue(const Result& result, int digits);
+/// Any value likewise.
+[[nodiscard]] QString valueText(const Result::Value& value, int digits);
 
 } // namespace kriva::ui

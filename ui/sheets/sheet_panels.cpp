@@ -5,6 +5,7 @@
 #include "ui/panels/layers_panel.h"
 #include "ui/panels/results_panel.h"
 #include "ui/sheets/properties_area.h"
+#include "ui/shell/export_figure.h"
 
 #include <QCoreApplication>
 
@@ -40,14 +41,21 @@ void SheetPanels::fill() {
     add("properties", QT_TRANSLATE_NOOP("SheetPanels", "Properties"), properties, Qt::RightDockWidgetArea);
     add("results", QT_TRANSLATE_NOOP("SheetPanels", "Results"), new ResultsPanel(editor_, relations_, &tab_),
         Qt::RightDockWidgetArea);
+    auto* plots = new PlotsPanel(editor_, ui_.plots, &tab_);
+    QObject::connect(plots, &PlotsPanel::exportRequested, &tab_,
+                     [this](const std::vector<Plot>& shown) { exportPlots(shown, &tab_); });
+    add("plots", QT_TRANSLATE_NOOP("SheetPanels", "Plots"), plots, Qt::RightDockWidgetArea);
+    add("tables", QT_TRANSLATE_NOOP("SheetPanels", "Tables"), new TablesPanel(editor_, ui_.tables, &tab_),
+        Qt::RightDockWidgetArea);
     add("history", QT_TRANSLATE_NOOP("SheetPanels", "History"), new HistoryPanel(editor_, &tab_),
         Qt::RightDockWidgetArea);
     for (const Panel& panel : panels_)
         if (panel.dock->widget() != properties) // they know their own width
             panel.dock->widget()->setMinimumWidth(kPanelWidth);
-    // Layers and history are looked at now and then: they wait behind their neighbours.
+    // What is looked at now and then waits behind its neighbours.
     tab_.tabifyDockWidget(panels_[0].dock, panels_[2].dock);
-    tab_.tabifyDockWidget(panels_[4].dock, panels_[5].dock);
+    for (std::size_t i = 5; i < panels_.size(); ++i)
+        tab_.tabifyDockWidget(panels_[i - 1].dock, panels_[i].dock);
     panels_[0].dock->raise();
     panels_[4].dock->raise();
 }

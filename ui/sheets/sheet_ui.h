@@ -1,6 +1,8 @@
 #pragma once
 
+#include "ui/panels/plots/plots_panel.h"
 #include "ui/panels/points_panel.h"
+#include "ui/panels/tables/tables_panel.h"
 
 #include <QKeySequence>
 
@@ -45,6 +47,8 @@ struct SheetUi {
     std::vector<PointColumn> pointColumns; ///< of the Points table, behind index, x and y
     SheetNumber number;
     std::vector<SheetAction> actions; ///< by groups
+    PlotsPanel::Plots plots;
+    TablesPanel::Tables tables;
 };
 
 } // namespace kriva::ui

@@ -24,21 +24,32 @@ QString proposedName(const SheetEditor& editor, const QString& name) {
         .arg(QFileInfo(name).completeBaseName(), QString::fromUtf8(sheet.data(), static_cast<qsizetype>(sheet.size())));
 }
 
-} // namespace
-
-void exportFigure(const SheetEditor& editor, const QString& name, QWidget* window) {
+/// Asks for a file, proposing a name, and writes into it what `make` gives.
+template <class Make>
+void askAndWrite(const QString& proposed, QWidget* window, Make make) {
     QFileDialog dialog(window, Texts::tr("Export figure"), QString(), Texts::tr("SVG figures (*.svg)"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(QStringLiteral("svg"));
-    dialog.selectFile(proposedName(editor, name));
+    dialog.selectFile(proposed);
     if (dialog.exec() != QDialog::Accepted)
         return;
     const QString path = dialog.selectedFiles().constFirst();
-    const std::string svg = writeSheetSvg(editor.documentOnView(), editor.index(), textSource());
+    const std::string svg = make();
     if (const auto error = safeWrite(path, {svg.data(), static_cast<qsizetype>(svg.size())}))
         QMessageBox(QMessageBox::Critical, Texts::tr("The figure was not written"), errorText(*error, path),
                     QMessageBox::Ok, window)
             .exec();
+}
+
+} // namespace
+
+void exportFigure(const SheetEditor& editor, const QString& name, QWidget* window) {
+    askAndWrite(proposedName(editor, name), window,
+                [&] { return writeSheetSvg(editor.documentOnView(), editor.index(), textSource()); });
+}
+
+void exportPlots(const std::vector<Plot>& plots, QWidget* window) {
+    askAndWrite(QStringLiteral("plot.svg"), window, [&] { return writePlotsSvg(plots, textSource()); });
 }
 
 } // namespace kriva::ui

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace kriva::ui {
 namespace {
@@ -17,7 +16,6 @@ namespace {
 // Stronger lines with numbers are this far apart: room for "-0.0025". With five times the grid's spacing, the steps
 // 1, 2, 5 of the grid make 5, 10 and 20 or 50 here: always a multiple.
 constexpr double kNumberSpacing = 5 * kGridSpacing;
-constexpr std::size_t kMostMultiples = 10'000;
 constexpr double kLineStrength = 0.06;
 constexpr double kStrongLineStrength = 0.12;
 constexpr double kAxisStrength = 0.45;
@@ -25,15 +23,6 @@ constexpr double kNumberStrength = 0.6;
 constexpr double kNumberGap = 4; ///< pixels from a number to its axis and to the edge of the view
 
 enum class Axis { x, y };
-
-/// The least 1, 2 or 5 times a power of ten that is not below `least`.
-[[nodiscard]] double roundStep(double least) {
-    const double power = std::pow(10, std::floor(std::log10(least)));
-    for (const double factor : {1, 2, 5})
-        if (factor * power >= least)
-            return factor * power;
-    return 10 * power;
-}
 
 [[nodiscard]] QColor mixed(const GridLook& look, double strength) {
     const auto part = [strength](int ink, int paper) { return qRound(strength * ink + (1 - strength) * paper); };
@@ -106,25 +95,8 @@ double numberStep(const Viewport& viewport) {
     return roundStep(kNumberSpacing / viewport.scale);
 }
 
-int decimalsOf(double step) {
-    return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 17);
-}
-
 double nearestMultiple(double step, double number) {
     return 0.0 + stepped(step * std::round(number / step), 0); // never -0
-}
-
-std::vector<double> multiples(double step, double low, double high) {
-    const double first = std::ceil(low / step);
-    std::vector<double> found;
-    // Counted from the first one: far from the origin index + 1 may be index, and nothing must go round for ever.
-    for (std::size_t i = 0; i < kMostMultiples; ++i) {
-        const double multiple = (first + static_cast<double>(i)) * step;
-        if (multiple > high)
-            break;
-        found.push_back(multiple);
-    }
-    return found;
 }
 
 void paintGrid(QPainter& painter, const Viewport& viewport, const GridLook& look, const TextSource& texts) {

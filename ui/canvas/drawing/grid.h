@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/figure/text_source.h"
+#include "core/figure/ticks.h"
 #include "ui/canvas/viewport.h"
 
 #include <QColor>
@@ -26,13 +27,8 @@ inline constexpr double kGridSpacing = 16;
 
 /// The distance of the stronger lines, which have numbers: likewise, a multiple of gridStep().
 [[nodiscard]] double numberStep(const Viewport& viewport);
-/// Enough decimals to tell the multiples of a step apart.
-[[nodiscard]] int decimalsOf(double step);
 /// The multiple of `step` nearest to the number, as it is read: three steps of 0.1 are 0.3.
 [[nodiscard]] double nearestMultiple(double step, double number);
-
-/// The multiples of `step` from `low` to `high`, ascending; at most 10,000.
-[[nodiscard]] std::vector<double> multiples(double step, double low, double high);
 
 /// Lines, the two axes and their numbers, which stay at the edge where the axis itself is out of sight.
 void paintGrid(QPainter& painter, const Viewport& viewport, const GridLook& look, const TextSource& texts);

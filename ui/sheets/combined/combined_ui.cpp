@@ -1,5 +1,8 @@
 #include "ui/sheets/combined/combined_ui.h"
 
+#include "core/combined/views/combined_plots.h"
+#include "core/combined/views/combined_tables.h"
+#include "core/comparison/methods.h"
 #include "core/document/limits.h"
 #include "ui/sheets/combined/combined_properties.h"
 
@@ -24,6 +27,14 @@ SheetNumber degreeNumber() {
             }};
 }
 
+std::vector<Table> tablesOfCombined(const Curve& curve) {
+    const CombinedCurve& value = std::get<CombinedCurve>(curve);
+    std::vector<Table> tables = tablesOf(value);
+    if (value.points.size() > 1)
+        tables.push_back(compareMethods(value));
+    return tables;
+}
+
 } // namespace
 
 SheetUi combinedUi() {
@@ -31,7 +42,9 @@ SheetUi combinedUi() {
             [](SheetEditor& editor, QWidget* parent) { return new CombinedProperties(editor, parent); },
             {},
             degreeNumber(),
-            {}};
+            {},
+            [](const Curve& curve) { return plotsOf(std::get<CombinedCurve>(curve)); },
+            tablesOfCombined};
 }
 
 } // namespace kriva::ui

@@ -1,6 +1,8 @@
 #include "ui/sheets/elevation/elevation_ui.h"
 
 #include "core/document/limits.h"
+#include "core/elevation/views/elevation_plots.h"
+#include "core/elevation/views/elevation_tables.h"
 #include "ui/sheets/elevation/elevation_properties.h"
 
 namespace kriva::ui {
@@ -30,7 +32,9 @@ SheetUi elevationUi() {
             [](SheetEditor& editor, QWidget* parent) { return new ElevationProperties(editor, parent); },
             {},
             timesNumber(),
-            {}};
+            {},
+            [](const Curve& curve) { return plotsOf(std::get<ElevationCurve>(curve)); },
+            [](const Curve& curve) { return tablesOf(std::get<ElevationCurve>(curve)); }};
 }
 
 } // namespace kriva::ui

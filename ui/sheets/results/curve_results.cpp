@@ -1,7 +1,5 @@
 #include "ui/sheets/results/curve_results.h"
 
-#include "ui/sheets/shown_sheet.h"
-
 namespace kriva::ui {
 namespace {
 
@@ -14,28 +12,13 @@ std::vector<Result> resultsOf(const std::optional<Curve>& curve) {
     return results(*curve);
 }
 
-std::optional<Curve> activeOnView(const ShownSheet& sheet) {
-    const Curve* curve = sheet.shown(sheet.activeSerial());
-    return curve ? std::optional(*curve) : std::nullopt;
-}
-
 } // namespace
 
 CurveResults::CurveResults(ShownSheet& sheet, QObject* parent)
     : QObject(parent)
-    , work_([this, &sheet]() -> LatestWork::Work {
-        return [this, curve = activeOnView(sheet)]() -> LatestWork::Take {
-            return [this, results = resultsOf(curve)] { take(results); };
-        };
-    }) {
-    connect(&sheet.document(), &OpenDocument::replaced, &work_, &LatestWork::startOver);
-    connect(&sheet.document(), &OpenDocument::curvesChanged, &work_, &LatestWork::startOver);
-    connect(&sheet.document(), &OpenDocument::viewChanged, &work_, &LatestWork::startOver);
-    connect(&sheet, &ShownSheet::shownCurveChanged, &work_, [this, &sheet](Serial serial) {
-        if (serial == sheet.activeSerial())
-            work_.doSoon();
-    });
-}
+    , work_(sheet, [this](const std::optional<Curve>& curve) -> LatestWork::Take {
+        return [this, results = resultsOf(curve)] { take(results); };
+    }) {}
 
 void CurveResults::take(std::vector<Result> results) {
     results_ = std::move(results);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "ui/sheets/results/latest_work.h"
+#include "ui/sheets/results/curve_work.h"
 
 namespace kriva::ui {
 
@@ -22,7 +22,7 @@ class CurveResults : public QObject {
     void take(std::vector<Result> results);
 
     std::vector<Result> results_;
-    LatestWork work_;
+    CurveWork work_;
 };
 
 } // namespace kriva::ui

@@ -3,6 +3,8 @@
 #include "core/document/limits.h"
 #include "core/spline/editing/chain_edits.h"
 #include "core/spline/editing/joins.h"
+#include "core/spline/views/spline_plots.h"
+#include "core/spline/views/spline_tables.h"
 #include "ui/sheets/spline/spline_actions.h"
 #include "ui/sheets/spline/spline_properties.h"
 
@@ -51,7 +53,9 @@ SheetUi splineUi() {
             [](SheetEditor& editor, QWidget* parent) { return new SplineProperties(editor, parent); },
             {joinColumn()},
             degreeNumber(),
-            splineActions()};
+            splineActions(),
+            [](const Curve& curve) { return plotsOf(std::get<SplineCurve>(curve)); },
+            [](const Curve& curve) { return tablesOf(std::get<SplineCurve>(curve)); }};
 }
 
 } // namespace kriva::ui

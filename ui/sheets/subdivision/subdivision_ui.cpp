@@ -1,6 +1,8 @@
 #include "ui/sheets/subdivision/subdivision_ui.h"
 
 #include "core/subdivision/subdivision_edits.h"
+#include "core/subdivision/views/subdivision_plots.h"
+#include "core/subdivision/views/subdivision_tables.h"
 #include "ui/sheets/subdivision/subdivision_properties.h"
 #include "ui/shell/language/number_text.h"
 
@@ -46,7 +48,9 @@ SheetUi subdivisionUi() {
             [](SheetEditor& editor, QWidget* parent) { return new SubdivisionProperties(editor, parent); },
             {multiplicityColumn()},
             levelsNumber(),
-            {}};
+            {},
+            [](const Curve& curve) { return plotsOf(std::get<SubdivisionCurve>(curve)); },
+            [](const Curve& curve) { return tablesOf(std::get<SubdivisionCurve>(curve)); }};
 }
 
 } // namespace kriva::ui

@@ -1,0 +1,58 @@
+#include "core/combined/views/combined_tables.h"
+
+#include "core/combined/combined.h"
+#include "core/figure/labels.h"
+
+#include <algorithm>
+
+namespace kriva {
+namespace {
+
+Table runsTable(const Combined& combined) {
+    Table table{
+        Caption::runs, {{Caption::run}, {Caption::points}, {Caption::degree}, {Caption::rms}, {Caption::maxError}}, {}};
+    std::size_t most = 0;
+    for (const CombinedRun& run : combined.runs)
+        most = std::max(most, run.coefficients.size());
+    for (std::size_t k = 0; k < most; ++k)
+        table.columns.push_back({Caption::none, "c", decimal(static_cast<int>(k))});
+    for (const CombinedRun& run : combined.runs) {
+        std::vector<TableCell>& row = table.rows.emplace_back();
+        row.push_back({static_cast<int>(table.rows.size()) - 1});
+        row.push_back({decimal(run.points.first) + "–" + decimal(run.points.last)});
+        row.insert(row.end(), {{run.degree}, {run.rms}, {run.maxError}});
+        for (const double coefficient : run.coefficients)
+            row.push_back({coefficient});
+        row.resize(table.columns.size());
+    }
+    return table;
+}
+
+Table joinsTable(const Combined& combined) {
+    constexpr std::size_t kMostPoints = 4;
+    Table table{Caption::joins, {{Caption::afterRun}, {Caption::degree}}, {}};
+    for (std::size_t i = 0; i < kMostPoints; ++i)
+        table.columns.push_back({Caption::none, "b", decimal(static_cast<int>(i))});
+    for (const CombinedJoin& join : combined.joins) {
+        std::vector<TableCell>& row = table.rows.emplace_back();
+        row.insert(row.end(), {{join.afterRun}, {static_cast<int>(join.points.size()) - 1}});
+        for (const Point p : join.points)
+            row.push_back({p});
+        row.resize(table.columns.size());
+    }
+    return table;
+}
+
+} // namespace
+
+std::vector<Table> tablesOf(const CombinedCurve& curve) {
+    if (isIncomplete(curve))
+        return {};
+    const Combined combined = combine(curve);
+    std::vector<Table> tables{runsTable(combined)};
+    if (!combined.joins.empty())
+        tables.push_back(joinsTable(combined));
+    return tables;
+}
+
+} // namespace kriva

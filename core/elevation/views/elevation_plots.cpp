@@ -1,0 +1,56 @@
+#include "core/elevation/views/elevation_plots.h"
+
+#include "core/figure/plot/bernstein_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kriva {
+namespace {
+
+/// As far as the elevations are looked at, where the curve has fewer.
+constexpr int kUsualElevations = 97;
+constexpr double kStep = 1.08; ///< from one degree of the plot to the next, at least
+
+/// Some hundred numbers of elevations, close together at first.
+std::vector<int> plottedTimes(int degree, int most) {
+    std::vector<int> plotted;
+    for (double next = degree; next <= degree + most; next = std::max(next + 1, std::floor(next * kStep)))
+        plotted.push_back(static_cast<int>(next) - degree);
+    if (plotted.back() != most)
+        plotted.push_back(most);
+    return plotted;
+}
+
+Plot gapPlot(const ElevationCurve& curve) {
+    const int degree = static_cast<int>(curve.points.size()) - 1;
+    Plot plot{Caption::gap, {.isLogarithmic = true, .variable = "N"}, {.isLogarithmic = true}, {}};
+    Points gaps;
+    ElevationCurve raised = curve;
+    for (const int times : plottedTimes(degree, std::max(kUsualElevations, curve.times))) {
+        raised.times = times;
+        // A straight curve with its points evenly spaced has no gap, and nothing has a logarithm of it.
+        if (const double gap = elevate(raised).gap; gap > 0)
+            gaps.push_back({static_cast<double>(degree + times), gap});
+    }
+    if (gaps.size() < 2)
+        return plot;
+    const double constant = gaps.back().x * gaps.back().y;
+    const Points reference{{gaps.front().x, constant / gaps.front().x}, gaps.back()};
+    plot.lines.push_back({polyline(gaps), Role::plotLine, 0, Caption::gap});
+    plot.lines.push_back({polyline(reference), Role::reference, 0, Caption::none, "1/N"});
+    plot.at = degree + curve.times;
+    return withAxesFitted(std::move(plot));
+}
+
+} // namespace
+
+std::vector<PlotGroup> plotsOf(const ElevationCurve& curve) {
+    if (isIncomplete(curve))
+        return {};
+    constexpr double kMiddle = 0.5; // the curve is about no t of its own
+    return {{Caption::bernsteinPolynomials, {bernsteinPlot(static_cast<int>(curve.points.size()) - 1, kMiddle)}},
+            {Caption::gap, {gapPlot(curve)}}};
+}
+
+} // namespace kriva

@@ -1,0 +1,33 @@
+#include "core/elevation/views/elevation_tables.h"
+
+#include "core/bezier/elevate.h"
+
+namespace kriva {
+
+std::vector<Table> tablesOf(const ElevationCurve& curve) {
+    if (isIncomplete(curve) || curve.times == 0)
+        return {};
+    const Points before = elevated(curve.points, curve.times - 1);
+    const Points after = elevated(curve.points, curve.times);
+    const double degree = static_cast<double>(after.size()) - 1;
+    Table table{Caption::newPoints,
+                {{Caption::none, "i", ""},
+                 {Caption::none, "i/N", ""},
+                 {Caption::none, "b", "i−1"},
+                 {Caption::none, "1 − i/N", ""},
+                 {Caption::none, "b", "i"},
+                 {Caption::none, "b′", "i"}},
+                {}};
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const double part = static_cast<double>(i) / degree;
+        table.rows.push_back({{static_cast<int>(i)},
+                              {part},
+                              i > 0 ? TableCell{before[i - 1]} : TableCell{},
+                              {1 - part},
+                              i < before.size() ? TableCell{before[i]} : TableCell{},
+                              {after[i]}});
+    }
+    return {table};
+}
+
+} // namespace kriva

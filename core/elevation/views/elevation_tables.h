@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/document/table.h"
+#include "core/elevation/elevation.h"
+
+namespace kriva {
+
+/// How the last elevation made each of its points: b_i' = i/N b_(i-1) + (1 - i/N) b_i with the actual numbers. Empty
+/// where the degree is not raised.
+[[nodiscard]] std::vector<Table> tablesOf(const ElevationCurve& curve);
+
+} // namespace kriva

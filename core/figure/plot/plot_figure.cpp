@@ -1,0 +1,258 @@
+#include "core/figure/plot/plot_figure.h"
+
+#include "core/bezier/clip.h"
+#include "core/figure/labels.h"
+#include "core/figure/ticks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace kriva {
+namespace {
+
+// Room around the frame, in millimetres.
+constexpr double kLeft = 13;  ///< for the numbers of y
+constexpr double kBelow = 8;  ///< for those of x
+constexpr double kBeside = 4; ///< for half of the last number of x
+constexpr double kLegend = 24;
+
+// Between neighbouring numbers, in millimetres.
+constexpr double kSpacingX = 14;
+constexpr double kSpacingY = 9;
+
+constexpr std::size_t kMostEntries = 16; ///< of the legend: more would not fit
+constexpr double kEntryHeight = 4.6;
+constexpr double kSampleLength = 6;
+
+bool hasName(const PlotLine& line) {
+    return line.caption != Caption::none || !line.letter.empty();
+}
+
+bool hasLegend(const Plot& plot) {
+    return plot.lines.size() <= kMostEntries && std::ranges::any_of(plot.lines, hasName);
+}
+
+struct Tick {
+    double at;
+    Label label; ///< not yet in its place
+};
+
+/// "10⁻⁷"
+std::string powerOfTen(int exponent) {
+    static constexpr std::array<std::string_view, 10> kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = "10";
+    if (exponent < 0)
+        text += "⁻";
+    for (const char digit : decimal(std::abs(exponent)))
+        text += kDigits[static_cast<std::size_t>(digit - '0')];
+    return text;
+}
+
+/// A number as a person reads it, however large or small.
+void setNumber(Label& label, double value, double step) {
+    constexpr double kPlainLow = 1e-4;
+    constexpr double kPlainHigh = 1e6;
+    if (value == 0 || (step >= kPlainLow && std::abs(value) < kPlainHigh)) {
+        label.number = LabelNumber{value, decimalsOf(step)};
+        return;
+    }
+    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
+    const double mantissa = value / std::pow(10, exponent);
+    label.number = LabelNumber{mantissa, decimalsOf(std::min(1.0, step / std::pow(10, exponent)))};
+    label.text = "·" + powerOfTen(exponent);
+}
+
+std::vector<Tick> linearTicks(const PlotAxis& axis, double length, double spacing) {
+    std::vector<Tick> ticks;
+    const double step = roundStep(spacing * (axis.high - axis.low) / length);
+    for (const double at : multiples(step, axis.low, axis.high)) {
+        Tick& tick = ticks.emplace_back(at, Label{});
+        setNumber(tick.label, at, step);
+    }
+    return ticks;
+}
+
+std::vector<Tick> logarithmicTicks(const PlotAxis& axis, double length, double spacing) {
+    std::vector<Tick> ticks;
+    const double low = std::log10(axis.low);
+    const double high = std::log10(axis.high);
+    const double step = std::max(1.0, roundStep(spacing * (high - low) / length));
+    for (const double exponent : multiples(step, low - 1e-9, high + 1e-9)) {
+        constexpr double kPlain = 3.5;
+        Tick& tick = ticks.emplace_back(std::pow(10, exponent), Label{});
+        if (std::abs(exponent) < kPlain)
+            tick.label.number = LabelNumber{tick.at, std::max(0, static_cast<int>(-exponent))};
+        else
+            tick.label.text = powerOfTen(static_cast<int>(exponent));
+    }
+    return ticks;
+}
+
+std::vector<Tick> ticksOf(const PlotAxis& axis, double length, double spacing) {
+    return axis.isLogarithmic ? logarithmicTicks(axis, length, spacing) : linearTicks(axis, length, spacing);
+}
+
+/// From 0 to 1 between the ends of an axis.
+double along(const PlotAxis& axis, double value) {
+    if (axis.isLogarithmic)
+        return std::log(value / axis.low) / std::log(axis.high / axis.low);
+    return (value - axis.low) / (axis.high - axis.low);
+}
+
+void addLine(Layer& layer, Point from, Point to, Role role) {
+    const Points line{from, to};
+    layer.strokes.push_back({polyline(line), role});
+}
+
+/// The layer of that name, on top of the others where it is not there yet: plots share their layers.
+Layer& layerOf(Figure& figure, std::string_view name) {
+    const auto found = std::ranges::find(figure.layers, name, &Layer::name);
+    return found == figure.layers.end() ? figure.layers.emplace_back(Layer{name}) : *found;
+}
+
+/// Grid and numbers of both axes, and their variables at the ends.
+void addTicks(const PlotAxis& axis, bool isX, const Box& frame, Figure& figure) {
+    for (Tick& tick : ticksOf(axis, isX ? frame.width() : frame.height(), isX ? kSpacingX : kSpacingY)) {
+        const double part = along(axis, tick.at);
+        const Point from = isX ? Point{frame.xmin + part * frame.width(), frame.ymin}
+                               : Point{frame.xmin, frame.ymin + part * frame.height()};
+        addLine(layerOf(figure, "plot-grid"), from, isX ? Point{from.x, frame.ymax} : Point{frame.xmax, from.y},
+                Role::gridLine);
+        tick.label.at = from;
+        tick.label.side = isX ? LabelSide::below : LabelSide::left;
+        layerOf(figure, "plot-numbers").labels.push_back(std::move(tick.label));
+    }
+}
+
+void addAxes(const Plot& plot, const Box& frame, Figure& figure) {
+    layerOf(figure, "plot-grid"); // below everything
+    addTicks(plot.x, true, frame, figure);
+    addTicks(plot.y, false, frame, figure);
+    Layer& axes = layerOf(figure, "plot-axes");
+    addLine(axes, {frame.xmin, frame.ymin}, {frame.xmax, frame.ymin}, Role::axis);
+    addLine(axes, {frame.xmin, frame.ymin}, {frame.xmin, frame.ymax}, Role::axis);
+    Label x{{frame.xmax, frame.ymin}, Caption::none, plot.x.variable, ""};
+    x.side = LabelSide::right;
+    Label y{{frame.xmin, frame.ymax}, Caption::none, plot.y.variable, ""};
+    y.side = LabelSide::above;
+    axes.labels.insert(axes.labels.end(), {x, y});
+}
+
+void addLines(const Plot& plot, const Box& frame, Figure& figure) {
+    Layer& lines = layerOf(figure, "plot-lines");
+    for (const PlotLine& line : plot.lines) {
+        std::vector<Points> joined;
+        const auto finish = [&] {
+            if (!joined.empty())
+                lines.strokes.push_back({chain(joined, false), line.role, line.series});
+            joined.clear();
+        };
+        forEachPiece(line.path, [&](std::span<const Point> piece) {
+            Points mapped;
+            for (const Point p : piece)
+                mapped.push_back(onPlot(plot, frame, p));
+            for (Points& part : clipped(mapped, frame)) {
+                if (!joined.empty() && joined.back().back() != part.front())
+                    finish();
+                joined.push_back(std::move(part));
+            }
+        });
+        finish();
+    }
+}
+
+/// Where the lines are at the place that the plot is about.
+void addMarks(const Plot& plot, const Box& frame, Figure& figure) {
+    if (!plot.at || *plot.at < plot.x.low || *plot.at > plot.x.high)
+        return;
+    Layer& layer = layerOf(figure, "plot-at");
+    const double x = onPlot(plot, frame, {*plot.at, plot.y.low}).x;
+    addLine(layer, {x, frame.ymin}, {x, frame.ymax}, Role::axis);
+    Marks marks{{}, Role::plotMark};
+    for (const PlotLine& line : plot.lines)
+        if (const std::optional<double> y = valueAt(line, *plot.at))
+            if (const Point p = onPlot(plot, frame, {*plot.at, *y}); p.y >= frame.ymin && p.y <= frame.ymax)
+                marks.at.push_back(p);
+    layer.marks.push_back(std::move(marks));
+}
+
+void addGiven(const Plot& plot, const Box& frame, Figure& figure) {
+    Marks marks{{}, Role::point};
+    for (const Point p : plot.given)
+        if (const Point mapped = onPlot(plot, frame, p); mapped.x >= frame.xmin && mapped.x <= frame.xmax)
+            marks.at.push_back(mapped);
+    if (!marks.at.empty())
+        layerOf(figure, "plot-given").marks.push_back(std::move(marks));
+}
+
+void addLegend(const Plot& plot, const Box& frame, Figure& figure) {
+    if (!hasLegend(plot))
+        return;
+    Layer& layer = layerOf(figure, "plot-legend");
+    Point at{frame.xmax + kBeside, frame.ymax - kEntryHeight / 2};
+    for (const PlotLine& line : plot.lines) {
+        if (!hasName(line))
+            continue;
+        const Points sample{at, at + Vector{kSampleLength, 0}};
+        layer.strokes.push_back({polyline(sample), line.role, line.series});
+        Label label{sample.back(), line.caption, line.letter, line.index};
+        label.side = LabelSide::right;
+        layer.labels.push_back(std::move(label));
+        at = at - Vector{0, kEntryHeight};
+    }
+}
+
+void addPlot(const Plot& plot, const Box& frame, Figure& figure) {
+    addAxes(plot, frame, figure);
+    addLines(plot, frame, figure);
+    addGiven(plot, frame, figure);
+    addMarks(plot, frame, figure);
+    addLegend(plot, frame, figure);
+}
+
+} // namespace
+
+Box plotFrame(const Plot& plot, PlotSize size) {
+    constexpr double kLeast = 10; // of a frame that has hardly any room
+    const double right = size.width - (hasLegend(plot) ? kLegend : 2 * kBeside);
+    Box frame{kLeft, kBelow, std::max(kLeft + kLeast, right), std::max(kBelow + kLeast, size.height - kBelow)};
+    if (!plot.isToScale)
+        return frame;
+    const double scale =
+        std::min(frame.width() / (plot.x.high - plot.x.low), frame.height() / (plot.y.high - plot.y.low));
+    const Point middle = frame.centre();
+    const Vector half = scale / 2 * Vector{plot.x.high - plot.x.low, plot.y.high - plot.y.low};
+    return {middle.x - half.x, middle.y - half.y, middle.x + half.x, middle.y + half.y};
+}
+
+Point onPlot(const Plot& plot, const Box& frame, Point p) {
+    return {frame.xmin + along(plot.x, p.x) * frame.width(), frame.ymin + along(plot.y, p.y) * frame.height()};
+}
+
+double plotX(const Plot& plot, const Box& frame, double millimetres) {
+    const double part = (millimetres - frame.xmin) / frame.width();
+    if (plot.x.isLogarithmic)
+        return plot.x.low * std::pow(plot.x.high / plot.x.low, part);
+    return plot.x.low + part * (plot.x.high - plot.x.low);
+}
+
+Figure plotFigure(std::span<const Plot> plots, PlotSize size) {
+    Figure figure;
+    double above = size.height * static_cast<double>(plots.size());
+    for (const Plot& plot : plots) {
+        above -= size.height;
+        Box frame = plotFrame(plot, size);
+        frame.ymin += above;
+        frame.ymax += above;
+        addPlot(plot, frame, figure);
+    }
+    return figure;
+}
+
+Page plotPage(std::size_t count, PlotSize size) {
+    const double height = size.height * static_cast<double>(count);
+    return {size.width, height, 1, 0, {0, 0, size.width, height}};
+}
+
+} // namespace kriva

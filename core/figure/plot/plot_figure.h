@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/figure/page.h"
+#include "core/figure/plot/plot.h"
+
+namespace kriva {
+
+/// How large a plot is drawn, with its numbers and legend, in millimetres.
+struct PlotSize {
+    double width = 120;
+    double height = 75;
+    friend bool operator==(const PlotSize&, const PlotSize&) = default;
+};
+
+/// What of the page lies between the axes: x to the right and y up from the page's lower left corner, in millimetres.
+[[nodiscard]] Box plotFrame(const Plot& plot, PlotSize size);
+
+/// A place of the plot on the page, in the same coordinates, and the x of such a place.
+[[nodiscard]] Point onPlot(const Plot& plot, const Box& frame, Point p);
+[[nodiscard]] double plotX(const Plot& plot, const Box& frame, double millimetres);
+
+/// Plots as a figure in these coordinates, the first one at the top: a grid with numbers, lines cut off at the frame, a
+/// legend where lines have names, and marks where the lines are at the place that the plot is about.
+[[nodiscard]] Figure plotFigure(std::span<const Plot> plots, PlotSize size);
+
+/// The page of so many plots, which fill it to the edge.
+[[nodiscard]] Page plotPage(std::size_t count, PlotSize size);
+
+} // namespace kriva

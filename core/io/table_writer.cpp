@@ -1,0 +1,205 @@
+#include "core/io/table_writer.h"
+
+#include "core/figure/labels.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace kriva {
+namespace {
+
+template <class... Visitors>
+struct Overloaded : Visitors... {
+    using Visitors::operator()...;
+};
+
+std::string shortest(double number) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
+}
+
+/// "B_0" as a spreadsheet has it.
+std::string nameOf(const TableColumn& column, const TextSource& texts) {
+    if (column.caption != Caption::none)
+        return texts.translate(column.caption) + (column.index.empty() ? "" : " " + column.index);
+    return column.letter + column.index;
+}
+
+std::string plainCell(const TableCell& cell, const TextSource& texts) {
+    return std::visit(Overloaded{[](std::monostate) { return std::string(); }, [](double v) { return shortest(v); },
+                                 [](int v) { return decimal(v); }, [](const std::string& v) { return v; },
+                                 [&](Caption v) { return texts.translate(v); }, [](Point) { return std::string(); }},
+                      cell.value);
+}
+
+/// A point takes two fields, and so do all cells of its column.
+void addFields(std::vector<std::string>& fields, const TableCell& cell, bool hasPoints, const TextSource& texts) {
+    if (const Point* point = std::get_if<Point>(&cell.value)) {
+        fields.push_back(shortest(point->x));
+        fields.push_back(shortest(point->y));
+        return;
+    }
+    fields.push_back(plainCell(cell, texts));
+    if (hasPoints)
+        fields.emplace_back();
+}
+
+/// Quoted as RFC 4180 asks for, where it needs it.
+std::string field(const std::string& text, char separator) {
+    if (text.find_first_of(std::string("\"\n\r") + separator) == std::string::npos)
+        return text;
+    std::string quoted = "\"";
+    for (const char c : text) {
+        quoted += c;
+        if (c == '"')
+            quoted += c;
+    }
+    return quoted + '"';
+}
+
+void addRecord(std::string& text, const std::vector<std::string>& fields, char separator) {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (i > 0)
+            text += separator;
+        text += field(fields[i], separator);
+    }
+    text += '\n';
+}
+
+void replaceAll(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+        text.replace(at, from.size(), to);
+}
+
+/// A text that stands outside of formulas.
+std::string latexText(const std::string& text) {
+    std::string escaped;
+    for (const char c : text) {
+        if (c == '\\')
+            escaped += "\\textbackslash{}";
+        else if (c == '~' || c == '^')
+            escaped.append("\\").append(1, c).append("{}");
+        else if (std::string_view("&%$#_{}").find(c) != std::string_view::npos)
+            escaped.append("\\").append(1, c);
+        else
+            escaped += c;
+    }
+    return escaped;
+}
+
+/// The fewest decimals that tell six significant digits.
+int significantDecimals(double value) {
+    constexpr double kSixDigits = 5e-7;
+    constexpr int kMost = 17;
+    int decimals = 0;
+    for (double scale = 1; decimals < kMost; ++decimals, scale *= 10)
+        if (std::abs(std::round(value * scale) / scale - value) <= kSixDigits * std::abs(value))
+            break;
+    return decimals;
+}
+
+/// Between the dollars of a formula.
+std::string latexNumber(double value, const TextSource& texts) {
+    if (!std::isfinite(value))
+        return "";
+    constexpr double kPlainLow = 1e-4;
+    constexpr double kPlainHigh = 1e6;
+    const double size = std::abs(value);
+    const int exponent =
+        size == 0 || (size >= kPlainLow && size < kPlainHigh) ? 0 : static_cast<int>(std::floor(std::log10(size)));
+    const double mantissa = value / std::pow(10, exponent);
+    std::string text = texts.number(mantissa, significantDecimals(mantissa));
+    replaceAll(text, "\u2212", "-");
+    replaceAll(text, ",", "{,}"); // a comma of a number has no room behind it
+    return exponent == 0 ? text : text + " \\cdot 10^{" + shortest(exponent) + "}";
+}
+
+std::string latexCell(const TableCell& cell, const TextSource& texts) {
+    const auto formula = [&](const std::string& text) {
+        return text.empty() ? text : cell.isBest ? "$\\mathbf{" + text + "}$" : "$" + text + "$";
+    };
+    const auto words = [&](const std::string& text) {
+        return cell.isBest ? "\\textbf{" + latexText(text) + "}" : latexText(text);
+    };
+    return std::visit(
+        Overloaded{
+            [](std::monostate) { return std::string(); }, [&](double v) { return formula(latexNumber(v, texts)); },
+            [&](int v) { return formula(decimal(v)); },
+            [&](Point v) { return formula("(" + latexNumber(v.x, texts) + ";\\ " + latexNumber(v.y, texts) + ")"); },
+            [&](const std::string& v) { return words(v); }, [&](Caption v) { return words(texts.translate(v)); }},
+        cell.value);
+}
+
+std::string latexName(const TableColumn& column, const TextSource& texts) {
+    if (column.caption != Caption::none)
+        return latexText(nameOf(column, texts));
+    if (column.letter.empty())
+        return "";
+    return "$" + column.letter + (column.index.empty() ? "" : "_{" + column.index + "}") + "$";
+}
+
+void addLatexRow(std::string& text, const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        text.append(i > 0 ? " & " : "").append(cells[i]);
+    text += " \\\\\n";
+}
+
+bool hasPoints(const Table& table, std::size_t column) {
+    return std::ranges::any_of(table.rows,
+                               [&](const auto& row) { return std::holds_alternative<Point>(row[column].value); });
+}
+
+bool isNumber(const TableCell& cell) {
+    return std::holds_alternative<double>(cell.value) || std::holds_alternative<int>(cell.value);
+}
+
+/// Numbers to the right, words to the left.
+std::string alignments(const Table& table) {
+    std::string letters;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const bool hasNumbers = std::ranges::any_of(table.rows, [&](const auto& row) { return isNumber(row[i]); });
+        letters += hasNumbers ? 'r' : 'l';
+    }
+    return letters;
+}
+
+} // namespace
+
+std::string writeDelimited(const Table& table, const TextSource& texts, char separator) {
+    std::string text;
+    std::vector<std::string> fields;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const std::string name = nameOf(table.columns[i], texts);
+        if (hasPoints(table, i))
+            fields.insert(fields.end(), {name + " x", name + " y"});
+        else
+            fields.push_back(name);
+    }
+    addRecord(text, fields, separator);
+    for (const std::vector<TableCell>& row : table.rows) {
+        fields.clear();
+        for (std::size_t i = 0; i < row.size(); ++i)
+            addFields(fields, row[i], hasPoints(table, i), texts);
+        addRecord(text, fields, separator);
+    }
+    return text;
+}
+
+std::string writeLatex(const Table& table, const TextSource& texts) {
+    std::string text = "\\begin{tabular}{" + alignments(table) + "}\n\\hline\n";
+    std::vector<std::string> cells;
+    for (const TableColumn& column : table.columns)
+        cells.push_back(latexName(column, texts));
+    addLatexRow(text, cells);
+    text += "\\hline\n";
+    for (const std::vector<TableCell>& row : table.rows) {
+        cells.clear();
+        for (const TableCell& cell : row)
+            cells.push_back(latexCell(cell, texts));
+        addLatexRow(text, cells);
+    }
+    return text + "\\hline\n\\end{tabular}\n";
+}
+
+} // namespace kriva

@@ -1,0 +1,21 @@
+#include "core/spline/views/spline_plots.h"
+
+#include "core/bezier/evaluate.h"
+
+namespace kriva {
+
+std::vector<PlotGroup> plotsOf(const SplineCurve& curve) {
+    if (isIncomplete(curve))
+        return {};
+    Plot plot{Caption::hodograph, {.variable = "x′"}, {.variable = "y′"}, {}};
+    plot.isToScale = true;
+    for (const Points& segment : segmentsOf(curve)) {
+        Points velocities;
+        for (const Vector v : hodograph(segment))
+            velocities.push_back(Point{} + v);
+        plot.lines.push_back({singleCurve(velocities), Role::curve});
+    }
+    return {{Caption::hodograph, {withAxesFitted(std::move(plot))}}};
+}
+
+} // namespace kriva

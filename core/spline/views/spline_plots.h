@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/figure/plot/plot.h"
+#include "core/spline/spline.h"
+
+namespace kriva {
+
+/// The hodograph, the derivative by each segment's t as a curve in the plane of vectors. None for incomplete curves.
+[[nodiscard]] std::vector<PlotGroup> plotsOf(const SplineCurve& curve);
+
+} // namespace kriva

@@ -1,0 +1,70 @@
+#include "core/spline/views/spline_tables.h"
+
+#include "core/figure/labels.h"
+#include "core/spline/spline_measures.h"
+#include "core/spline/spline_report.h"
+
+#include <array>
+
+namespace kriva {
+namespace {
+
+using Rule = SplineCurve::Rule;
+
+struct NamedRule {
+    Rule rule;
+    Caption caption;
+};
+constexpr std::array<NamedRule, 4> kRules{{{Rule::mirror, Caption::ruleMirror},
+                                           {Rule::natural, Caption::ruleNatural},
+                                           {Rule::clamped, Caption::ruleClamped},
+                                           {Rule::catmullRom, Caption::ruleCatmullRom}}};
+
+Table coefficientsTable(const SplineCurve& curve) {
+    Table table{Caption::coefficients, {{Caption::segment}}, {}};
+    for (int k = 0; k <= curve.degree; ++k)
+        table.columns.push_back({Caption::none, "B", decimal(k)});
+    for (const Points& segment : segmentsOf(curve)) {
+        std::vector<TableCell>& row = table.rows.emplace_back();
+        row.push_back({static_cast<int>(table.rows.size()) - 1});
+        for (const Point coefficient : powerCoefficients(segment))
+            row.push_back({coefficient});
+    }
+    return table;
+}
+
+TableCell cellOf(std::optional<double> value) {
+    return value ? TableCell{*value} : TableCell{};
+}
+
+/// All knots take their handles from the rule, or there would be nothing to compare.
+Table rulesTable(const SplineCurve& curve) {
+    Table table{Caption::allRules,
+                {{Caption::rule}, {Caption::length}, {Caption::bendingEnergy}, {Caption::largestCurvature}},
+                {}};
+    SplineCurve other = curve;
+    other.inner.clear();
+    for (SplineKnot& knot : other.knots)
+        knot = {knot.at, SplineKnot::Join::automatic, {}, {}};
+    for (const auto& [rule, caption] : kRules) {
+        other.rule = rule;
+        const SplineMeasures measures = measure(other);
+        table.rows.push_back(
+            {{caption}, {measures.length}, cellOf(measures.bendingEnergy), cellOf(largestCurvature(other))});
+    }
+    for (std::size_t column = 1; column < table.columns.size(); ++column)
+        markLeast(table, column);
+    return table;
+}
+
+} // namespace
+
+std::vector<Table> tablesOf(const SplineCurve& curve) {
+    if (isIncomplete(curve))
+        return {};
+    if (curve.degree == 2) // there is but one parabola chain, whatever the rule
+        return {coefficientsTable(curve)};
+    return {coefficientsTable(curve), rulesTable(curve)};
+}
+
+} // namespace kriva

@@ -1,0 +1,164 @@
+#include "ui/panels/plots/plots_panel.h"
+
+#include "ui/figures/caption_text.h"
+#include "ui/panels/result_text.h"
+#include "ui/shell/look/icons.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <utility>
+
+namespace kriva::ui {
+namespace {
+
+constexpr int kDigits = 6;
+constexpr std::size_t kMostValues = 16; ///< more than anyone reads
+
+/// "B<sub>0</sub>", or the caption.
+[[nodiscard]] QString nameOf(const PlotLine& line) {
+    const QString index = QString::fromStdString(line.index).toHtmlEscaped();
+    if (line.caption != Caption::none)
+        return index.isEmpty() ? captionText(line.caption) : captionText(line.caption) + QLatin1Char(' ') + index;
+    const QString letter = QString::fromStdString(line.letter).toHtmlEscaped();
+    return index.isEmpty() ? letter : QStringLiteral("<i>%1</i><sub>%2</sub>").arg(letter, index);
+}
+
+/// "t = 0.5: B0 = 0.125; B1 = 0.375"
+[[nodiscard]] QString valuesAt(const Plot& plot, double x) {
+    QStringList values;
+    for (const PlotLine& line : plot.lines)
+        if (const auto y = valueAt(line, x); y && static_cast<std::size_t>(values.size()) < kMostValues)
+            values.append(QStringLiteral("%1 = %2").arg(nameOf(line), valueText(*y, kDigits)));
+    return QStringLiteral("<i>%1</i> = %2: %3")
+        .arg(QString::fromStdString(plot.x.variable), valueText(x, kDigits), values.join(QStringLiteral("; ")));
+}
+
+} // namespace
+
+PlotsPanel::PlotsPanel(ShownSheet& sheet, Plots plots, QWidget* parent)
+    : QWidget(parent)
+    , choice_(new QComboBox(this))
+    , export_(new QToolButton(this))
+    , layout_(new QVBoxLayout(this))
+    , work_(sheet, [this, plots = std::move(plots)](const std::optional<Curve>& curve) -> LatestWork::Take {
+        return [this, made = curve ? plots(*curve) : std::vector<PlotGroup>()] { take(made); };
+    }) {
+    work_.setWatched(false);
+    choice_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    export_->setIcon(icon(IconName::Export));
+    export_->setAutoRaise(true);
+    auto* row = new QHBoxLayout;
+    row->addWidget(choice_, 1);
+    row->addWidget(export_);
+    layout_->setContentsMargins(0, 0, 0, 0);
+    layout_->setSpacing(2);
+    layout_->addLayout(row);
+    connect(choice_, &QComboBox::currentIndexChanged, this, &PlotsPanel::showGroup);
+    connect(export_, &QToolButton::clicked, this, [this] {
+        std::vector<Plot> shown;
+        for (const Row& plot : rows_)
+            if (plot.view->isVisible())
+                shown.push_back(plot.view->shownPlot());
+        Q_EMIT exportRequested(shown);
+    });
+    retranslateUi();
+}
+
+void PlotsPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    QWidget::changeEvent(event);
+}
+
+void PlotsPanel::showEvent(QShowEvent* event) {
+    work_.setWatched(true);
+    QWidget::showEvent(event);
+}
+
+void PlotsPanel::hideEvent(QHideEvent* event) {
+    work_.setWatched(false);
+    QWidget::hideEvent(event);
+}
+
+void PlotsPanel::retranslateUi() {
+    choice_->setAccessibleName(tr("Plot"));
+    export_->setToolTip(tr("Export the plot"));
+    export_->setAccessibleName(export_->toolTip());
+    showNames();
+    showGroup();
+}
+
+void PlotsPanel::take(std::vector<PlotGroup> groups) {
+    groups_ = std::move(groups);
+    showNames();
+    showGroup();
+}
+
+/// The choice stays where it is as long as there is that plot.
+void PlotsPanel::showNames() {
+    const QSignalBlocker blocker(choice_);
+    const int chosen = std::max(0, choice_->currentIndex());
+    QStringList names;
+    for (const PlotGroup& group : groups_)
+        names.append(captionText(group.caption));
+    choice_->clear();
+    choice_->addItems(names);
+    choice_->setCurrentIndex(std::min(chosen, choice_->count() - 1));
+    choice_->setEnabled(!groups_.empty());
+    export_->setEnabled(!groups_.empty());
+}
+
+void PlotsPanel::showGroup() {
+    const auto chosen = static_cast<std::size_t>(choice_->currentIndex());
+    const std::vector<Plot> plots = chosen < groups_.size() ? groups_[chosen].plots : std::vector<Plot>();
+    makeRows(plots.size());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const bool isThere = i < plots.size();
+        rows_[i].title->setVisible(isThere && plots.size() > 1); // one alone has the name of the choice
+        rows_[i].view->setVisible(isThere);
+        rows_[i].values->setVisible(isThere);
+        if (!isThere)
+            continue;
+        rows_[i].title->setText(captionText(plots[i].caption));
+        rows_[i].view->setAccessibleName(captionText(plots[i].caption));
+        rows_[i].view->setPlot(plots[i]);
+    }
+    showValues();
+}
+
+void PlotsPanel::makeRows(std::size_t count) {
+    while (rows_.size() < count) {
+        const Row row{new QLabel(this), new PlotView(this), new QLabel(this)};
+        row.values->setWordWrap(true);
+        row.values->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        row.values->setMargin(2);
+        row.values->setAlignment(Qt::AlignTop);
+        layout_->addWidget(row.title);
+        layout_->addWidget(row.view, 1);
+        layout_->addWidget(row.values);
+        connect(row.view, &PlotView::crosshairMoved, this, [this](std::optional<double> x) {
+            for (const Row& other : rows_)
+                other.view->setCrosshair(x);
+            showValues();
+        });
+        connect(row.view, &PlotView::rangeChanged, this, [this](const auto& range) {
+            for (const Row& other : rows_)
+                other.view->setRange(range);
+        });
+        rows_.push_back(row);
+    }
+}
+
+void PlotsPanel::showValues() {
+    for (const Row& row : rows_) {
+        const Plot& plot = row.view->plot();
+        const std::optional<double> x = row.view->crosshair() ? row.view->crosshair() : plot.at;
+        row.values->setText(x && !plot.isToScale ? valuesAt(plot, *x) : QString());
+    }
+}
+
+} // namespace kriva::ui

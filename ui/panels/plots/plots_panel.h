@@ -1,0 +1,52 @@
+#pragma once
+
+#include "ui/panels/plots/plot_view.h"
+#include "ui/sheets/results/curve_work.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace kriva::ui {
+
+/// The plots of the active curve, one group at a time, live, with a common crosshair and the values under it.
+class PlotsPanel : public QWidget {
+    Q_OBJECT
+  public:
+    /// What a sheet has to tell of a curve in plots; called on any thread.
+    using Plots = std::function<std::vector<PlotGroup>(const Curve&)>;
+
+    PlotsPanel(ShownSheet& sheet, Plots plots, QWidget* parent = nullptr);
+
+  Q_SIGNALS:
+    /// The plots on view are to be written into a file.
+    void exportRequested(const std::vector<kriva::Plot>& plots);
+
+  protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    struct Row {
+        QLabel* title;
+        PlotView* view;
+        QLabel* values;
+    };
+    void retranslateUi();
+    void take(std::vector<PlotGroup> groups);
+    void showNames();
+    void showGroup();
+    void makeRows(std::size_t count);
+    void showValues();
+
+    std::vector<PlotGroup> groups_;
+    QComboBox* choice_;
+    QToolButton* export_;
+    QVBoxLayout* layout_;
+    std::vector<Row> rows_;
+    CurveWork work_;
+};
+
+} // namespace kriva::ui

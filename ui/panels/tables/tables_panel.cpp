@@ -1,0 +1,118 @@
+#include "ui/panels/tables/tables_panel.h"
+
+#include "core/io/table_writer.h"
+#include "ui/figures/caption_text.h"
+
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace kriva::ui {
+
+TablesPanel::TablesPanel(ShownSheet& sheet, Tables tables, QWidget* parent)
+    : QWidget(parent)
+    , choice_(new QComboBox(this))
+    , view_(new QTableView(this))
+    , latex_(new QToolButton(this))
+    , csv_(new QToolButton(this))
+    , work_(sheet, [this, tables = std::move(tables)](const std::optional<Curve>& curve) -> LatestWork::Take {
+        return [this, made = curve ? tables(*curve) : std::vector<Table>()] { take(made); };
+    }) {
+    work_.setWatched(false);
+    view_->setModel(&model_);
+    view_->setFrameShape(QFrame::NoFrame);
+    view_->setAlternatingRowColors(true);
+    view_->verticalHeader()->hide();
+    view_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    view_->horizontalHeader()->setResizeContentsPrecision(0); // as wide as what is seen needs
+    choice_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    auto* row = new QHBoxLayout;
+    row->addWidget(choice_, 1);
+    row->addWidget(latex_);
+    row->addWidget(csv_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addLayout(row);
+    layout->addWidget(view_, 1);
+    connect(choice_, &QComboBox::currentIndexChanged, this, &TablesPanel::showTable);
+    connect(latex_, &QToolButton::clicked, this, &TablesPanel::copyLatex);
+    connect(csv_, &QToolButton::clicked, this, &TablesPanel::copyDelimited);
+    retranslateUi();
+}
+
+void TablesPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    QWidget::changeEvent(event);
+}
+
+void TablesPanel::showEvent(QShowEvent* event) {
+    work_.setWatched(true);
+    QWidget::showEvent(event);
+}
+
+void TablesPanel::hideEvent(QHideEvent* event) {
+    work_.setWatched(false);
+    QWidget::hideEvent(event);
+}
+
+void TablesPanel::retranslateUi() {
+    choice_->setAccessibleName(tr("Table"));
+    view_->setAccessibleName(tr("Numbers of the table"));
+    latex_->setText(tr("LaTeX"));
+    latex_->setToolTip(tr("Copy the table as LaTeX"));
+    latex_->setAccessibleName(latex_->toolTip());
+    csv_->setText(tr("CSV"));
+    csv_->setToolTip(tr("Copy the table for a spreadsheet"));
+    csv_->setAccessibleName(csv_->toolTip());
+    showNames();
+    model_.retranslate();
+    view_->resizeColumnsToContents();
+}
+
+void TablesPanel::take(std::vector<Table> tables) {
+    tables_ = std::move(tables);
+    showNames();
+    showTable();
+}
+
+/// The choice stays where it is as long as there is that table.
+void TablesPanel::showNames() {
+    const QSignalBlocker blocker(choice_);
+    const int chosen = std::max(0, choice_->currentIndex());
+    QStringList names;
+    for (const Table& table : tables_)
+        names.append(captionText(table.caption));
+    choice_->clear();
+    choice_->addItems(names);
+    choice_->setCurrentIndex(std::min(chosen, choice_->count() - 1));
+    choice_->setEnabled(!tables_.empty());
+    latex_->setEnabled(!tables_.empty());
+    csv_->setEnabled(!tables_.empty());
+}
+
+void TablesPanel::showTable() {
+    const auto chosen = static_cast<std::size_t>(choice_->currentIndex());
+    const std::vector<TableColumn> before = model_.table().columns;
+    model_.setTable(chosen < tables_.size() ? tables_[chosen] : Table());
+    if (model_.table().columns != before)
+        view_->resizeColumnsToContents();
+}
+
+void TablesPanel::copyLatex() const {
+    QGuiApplication::clipboard()->setText(QString::fromStdString(writeLatex(model_.table(), textSource())));
+}
+
+void TablesPanel::copyDelimited() const {
+    QGuiApplication::clipboard()->setText(QString::fromStdString(writeDelimited(model_.table(), textSource())));
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "ui/panels/tables/table_model.h"
+#include "ui/sheets/results/curve_work.h"
+
+#include <QComboBox>
+#include <QTableView>
+#include <QToolButton>
+
+namespace kriva::ui {
+
+/// The tables of the active curve, one at a time, live; copied as LaTeX or for a spreadsheet.
+class TablesPanel : public QWidget {
+    Q_OBJECT
+  public:
+    /// What a sheet has to tell of a curve in tables; called on any thread.
+    using Tables = std::function<std::vector<Table>(const Curve&)>;
+
+    TablesPanel(ShownSheet& sheet, Tables tables, QWidget* parent = nullptr);
+
+  protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    void retranslateUi();
+    void take(std::vector<Table> tables);
+    void showNames();
+    void showTable();
+    void copyLatex() const;
+    void copyDelimited() const;
+
+    std::vector<Table> tables_;
+    TableModel model_;
+    QComboBox* choice_;
+    QTableView* view_;
+    QToolButton* latex_;
+    QToolButton* csv_;
+    CurveWork work_;
+};
+
+} // namespace kriva::ui

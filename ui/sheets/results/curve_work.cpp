@@ -1,0 +1,39 @@
+#include "ui/sheets/results/curve_work.h"
+
+#include "ui/sheets/shown_sheet.h"
+
+namespace kriva::ui {
+namespace {
+
+std::optional<Curve> activeOnView(const ShownSheet& sheet) {
+    const Curve* curve = sheet.shown(sheet.activeSerial());
+    return curve ? std::optional(*curve) : std::nullopt;
+}
+
+} // namespace
+
+CurveWork::CurveWork(ShownSheet& sheet, Work work, QObject* parent)
+    : QObject(parent)
+    , work_([&sheet, work = std::move(work)]() -> LatestWork::Work {
+        return [work, curve = activeOnView(sheet)] { return work(curve); };
+    }) {
+    const auto startOver = [this] {
+        if (isWatched_)
+            work_.startOver();
+    };
+    connect(&sheet.document(), &OpenDocument::replaced, this, startOver);
+    connect(&sheet.document(), &OpenDocument::curvesChanged, this, startOver);
+    connect(&sheet.document(), &OpenDocument::viewChanged, this, startOver);
+    connect(&sheet, &ShownSheet::shownCurveChanged, this, [this, &sheet](Serial serial) {
+        if (isWatched_ && serial == sheet.activeSerial())
+            work_.doSoon();
+    });
+}
+
+void CurveWork::setWatched(bool isWatched) {
+    if (isWatched && !isWatched_)
+        work_.startOver();
+    isWatched_ = isWatched;
+}
+
+} // namespace kriva::ui
