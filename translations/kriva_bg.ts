@@ -393,6 +393,106 @@
         <source>Overlaps of the sheet</source>
         <translation>Припокривания в листа</translation>
     </message>
+    <message>
+        <source>Bernstein polynomials</source>
+        <translation>Полиноми на Бернщайн</translation>
+    </message>
+    <message>
+        <source>Control point</source>
+        <translation>Контролна точка</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Тегло</translation>
+    </message>
+    <message>
+        <source>Weights at t</source>
+        <translation>Тегла при t</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Ниво</translation>
+    </message>
+    <message>
+        <source>Left and right polygon</source>
+        <translation>Ляв и десен полигон</translation>
+    </message>
+    <message>
+        <source>Points of the last elevation</source>
+        <translation>Точки от последното повишаване</translation>
+    </message>
+    <message>
+        <source>Hodograph</source>
+        <translation>Ходограф</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Сегмент</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Правило</translation>
+    </message>
+    <message>
+        <source>All rules</source>
+        <translation>Всички правила</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Огледално</translation>
+    </message>
+    <message>
+        <source>Natural</source>
+        <translation>Естествен</translation>
+    </message>
+    <message>
+        <source>Clamped</source>
+        <translation>Със зададени краища</translation>
+    </message>
+    <message>
+        <source>Catmull–Rom</source>
+        <translation>Катмул–Ром</translation>
+    </message>
+    <message>
+        <source>Largest curvature</source>
+        <translation>Най-голяма кривина</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Участък</translation>
+    </message>
+    <message>
+        <source>After run</source>
+        <translation>След участък</translation>
+    </message>
+    <message>
+        <source>Values of the runs, y(x)</source>
+        <translation>Стойности на участъците, y(x)</translation>
+    </message>
+    <message>
+        <source>Slopes of the runs, y′(x)</source>
+        <translation>Наклони на участъците, y′(x)</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Метод</translation>
+    </message>
+    <message>
+        <source>Comparison of methods</source>
+        <translation>Сравнение на методите</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Интерполация</translation>
+    </message>
+    <message>
+        <source>Approximation</source>
+        <translation>Апроксимация</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Двойки</translation>
+    </message>
 </context>
 <context>
     <name>Clip</name>
@@ -1150,6 +1250,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>History</source>
         <translation>История</translation>
     </message>
+    <message>
+        <source>Plots</source>
+        <translation>Графики</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Таблици</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -1672,6 +1780,17 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>kriva::ui::PlotsPanel</name>
+    <message>
+        <source>Plot</source>
+        <translation>Графика</translation>
+    </message>
+    <message>
+        <source>Export the plot</source>
+        <translation>Изнасяне на графиката</translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::PointsPanel</name>
     <message>
         <source>Points</source>
@@ -1783,6 +1902,33 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Levels</source>
         <translation>Нива</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::TablesPanel</name>
+    <message>
+        <source>Table</source>
+        <translation>Таблица</translation>
+    </message>
+    <message>
+        <source>Numbers of the table</source>
+        <translation>Числа в таблицата</translation>
+    </message>
+    <message>
+        <source>LaTeX</source>
+        <translation>LaTeX</translation>
+    </message>
+    <message>
+        <source>Copy the table as LaTeX</source>
+        <translation>Копиране на таблицата като LaTeX</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>Copy the table for a spreadsheet</source>
+        <translation>Копиране на таблицата за електронна таблица</translation>
     </message>
 </context>
 </TS>

@@ -393,6 +393,106 @@
         <source>Overlaps of the sheet</source>
         <translation>Prekrivanja na listu</translation>
     </message>
+    <message>
+        <source>Bernstein polynomials</source>
+        <translation>Bernsteinovi polinomi</translation>
+    </message>
+    <message>
+        <source>Control point</source>
+        <translation>Kontrolna točka</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Utež</translation>
+    </message>
+    <message>
+        <source>Weights at t</source>
+        <translation>Uteži pri t</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Nivo</translation>
+    </message>
+    <message>
+        <source>Left and right polygon</source>
+        <translation>Levi in desni poligon</translation>
+    </message>
+    <message>
+        <source>Points of the last elevation</source>
+        <translation>Točke zadnjega zvišanja</translation>
+    </message>
+    <message>
+        <source>Hodograph</source>
+        <translation>Hodograf</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Odsek</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Pravilo</translation>
+    </message>
+    <message>
+        <source>All rules</source>
+        <translation>Vsa pravila</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Zrcalno</translation>
+    </message>
+    <message>
+        <source>Natural</source>
+        <translation>Naravni</translation>
+    </message>
+    <message>
+        <source>Clamped</source>
+        <translation>Vpeti</translation>
+    </message>
+    <message>
+        <source>Catmull–Rom</source>
+        <translation>Catmull–Rom</translation>
+    </message>
+    <message>
+        <source>Largest curvature</source>
+        <translation>Največja ukrivljenost</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Odsek</translation>
+    </message>
+    <message>
+        <source>After run</source>
+        <translation>Za odsekom</translation>
+    </message>
+    <message>
+        <source>Values of the runs, y(x)</source>
+        <translation>Vrednosti odsekov, y(x)</translation>
+    </message>
+    <message>
+        <source>Slopes of the runs, y′(x)</source>
+        <translation>Nakloni odsekov, y′(x)</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metoda</translation>
+    </message>
+    <message>
+        <source>Comparison of methods</source>
+        <translation>Primerjava metod</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Interpolacija</translation>
+    </message>
+    <message>
+        <source>Approximation</source>
+        <translation>Aproksimacija</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Pari</translation>
+    </message>
 </context>
 <context>
     <name>Clip</name>
@@ -1152,6 +1252,14 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>History</source>
         <translation>Zgodovina</translation>
     </message>
+    <message>
+        <source>Plots</source>
+        <translation>Grafi</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tabele</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -1674,6 +1782,17 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
 </context>
 <context>
+    <name>kriva::ui::PlotsPanel</name>
+    <message>
+        <source>Plot</source>
+        <translation>Graf</translation>
+    </message>
+    <message>
+        <source>Export the plot</source>
+        <translation>Izvozi graf</translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::PointsPanel</name>
     <message>
         <source>Points</source>
@@ -1785,6 +1904,33 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Levels</source>
         <translation>Nivoji</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::TablesPanel</name>
+    <message>
+        <source>Table</source>
+        <translation>Tabela</translation>
+    </message>
+    <message>
+        <source>Numbers of the table</source>
+        <translation>Števila v tabeli</translation>
+    </message>
+    <message>
+        <source>LaTeX</source>
+        <translation>LaTeX</translation>
+    </message>
+    <message>
+        <source>Copy the table as LaTeX</source>
+        <translation>Kopiraj tabelo kot LaTeX</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>Copy the table for a spreadsheet</source>
+        <translation>Kopiraj tabelo za preglednico</translation>
     </message>
 </context>
 </TS>

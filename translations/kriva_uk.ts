@@ -393,6 +393,106 @@
         <source>Overlaps of the sheet</source>
         <translation>Накладання на аркуші</translation>
     </message>
+    <message>
+        <source>Bernstein polynomials</source>
+        <translation>Поліноми Бернштейна</translation>
+    </message>
+    <message>
+        <source>Control point</source>
+        <translation>Контрольна точка</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Вага</translation>
+    </message>
+    <message>
+        <source>Weights at t</source>
+        <translation>Ваги при t</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Рівень</translation>
+    </message>
+    <message>
+        <source>Left and right polygon</source>
+        <translation>Лівий і правий полігони</translation>
+    </message>
+    <message>
+        <source>Points of the last elevation</source>
+        <translation>Точки останнього підвищення</translation>
+    </message>
+    <message>
+        <source>Hodograph</source>
+        <translation>Годограф</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Сегмент</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Правило</translation>
+    </message>
+    <message>
+        <source>All rules</source>
+        <translation>Усі правила</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Дзеркальне</translation>
+    </message>
+    <message>
+        <source>Natural</source>
+        <translation>Природний</translation>
+    </message>
+    <message>
+        <source>Clamped</source>
+        <translation>Затиснутий</translation>
+    </message>
+    <message>
+        <source>Catmull–Rom</source>
+        <translation>Катмулла–Рома</translation>
+    </message>
+    <message>
+        <source>Largest curvature</source>
+        <translation>Найбільша кривина</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ділянка</translation>
+    </message>
+    <message>
+        <source>After run</source>
+        <translation>Після ділянки</translation>
+    </message>
+    <message>
+        <source>Values of the runs, y(x)</source>
+        <translation>Значення ділянок, y(x)</translation>
+    </message>
+    <message>
+        <source>Slopes of the runs, y′(x)</source>
+        <translation>Нахили ділянок, y′(x)</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Метод</translation>
+    </message>
+    <message>
+        <source>Comparison of methods</source>
+        <translation>Порівняння методів</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Інтерполяція</translation>
+    </message>
+    <message>
+        <source>Approximation</source>
+        <translation>Апроксимація</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Пари</translation>
+    </message>
 </context>
 <context>
     <name>Clip</name>
@@ -1151,6 +1251,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>History</source>
         <translation>Історія</translation>
     </message>
+    <message>
+        <source>Plots</source>
+        <translation>Графіки</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Таблиці</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -1673,6 +1781,17 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>kriva::ui::PlotsPanel</name>
+    <message>
+        <source>Plot</source>
+        <translation>Графік</translation>
+    </message>
+    <message>
+        <source>Export the plot</source>
+        <translation>Експортувати графік</translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::PointsPanel</name>
     <message>
         <source>Points</source>
@@ -1784,6 +1903,33 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Levels</source>
         <translation>Рівні</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::TablesPanel</name>
+    <message>
+        <source>Table</source>
+        <translation>Таблиця</translation>
+    </message>
+    <message>
+        <source>Numbers of the table</source>
+        <translation>Числа таблиці</translation>
+    </message>
+    <message>
+        <source>LaTeX</source>
+        <translation>LaTeX</translation>
+    </message>
+    <message>
+        <source>Copy the table as LaTeX</source>
+        <translation>Копіювати таблицю як LaTeX</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>Copy the table for a spreadsheet</source>
+        <translation>Копіювати таблицю для електронної таблиці</translation>
     </message>
 </context>
 </TS>

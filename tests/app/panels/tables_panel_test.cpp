@@ -1,0 +1,82 @@
+#include "core/io/table_writer.h"
+#include "tests/support/panel_test.h"
+#include "ui/figures/caption_text.h"
+#include "ui/panels/tables/tables_panel.h"
+
+#include <QClipboard>
+
+namespace kriva::ui {
+namespace {
+
+class TablesPanelTest : public test::PanelTest {
+  protected:
+    explicit TablesPanelTest(SheetIndex sheet = 1)
+        : PanelTest(sheet) {
+        test::settle();
+    }
+    [[nodiscard]] const Table& shown() {
+        test::settle();
+        return static_cast<TableModel*>(panel_.findChild<QTableView*>()->model())->table();
+    }
+    [[nodiscard]] QString textAt(int row, int column) {
+        return panel_.findChild<QTableView*>()->model()->index(row, column).data().toString();
+    }
+    void choose(int table) { panel_.findChild<QComboBox*>()->setCurrentIndex(table); }
+
+    TablesPanel& panel_ = panel<TablesPanel>();
+};
+
+class TablesInEachTab : public TablesPanelTest, public testing::WithParamInterface<SheetIndex> {
+  protected:
+    TablesInEachTab()
+        : TablesPanelTest(GetParam()) {}
+};
+
+TEST_P(TablesInEachTab, areThoseOfTheActiveCurveAndFollowADrag) {
+    const std::vector<Table> before = shell.sheets[sheet_].tables(curve());
+    ASSERT_FALSE(before.empty());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        choose(static_cast<int>(i));
+        EXPECT_EQ(shown(), before[i]);
+    }
+    QTest::mousePress(tab.canvas().viewport(), Qt::LeftButton, {}, test::pixelOf(tab, 1));
+    QTest::mouseMove(tab.canvas().viewport(), test::pixelOf(tab, 1) + QPoint(9, 31));
+    QTest::mouseRelease(tab.canvas().viewport(), Qt::LeftButton, {}, test::pixelOf(tab, 1));
+    EXPECT_EQ(shown(), shell.sheets[sheet_].tables(curve()).back());
+    EXPECT_NE(shown(), before.back());
+}
+
+INSTANTIATE_TEST_SUITE_P(Tabs, TablesInEachTab, testing::Range<SheetIndex>(0, kSheetCount));
+
+TEST_F(TablesPanelTest, showTheExampleOfTheSources) {
+    SubdivisionCurve cubic;
+    cubic.points = {{0, 0}, {0, 2}, {8, 2}, {4, 0}};
+    cubic.multiplicity.assign(4, 1);
+    open({cubic});
+    EXPECT_EQ(shown().caption, Caption::construction);
+    EXPECT_EQ(textAt(0, 4), QStringLiteral("(3.5; 1.5)"));
+    EXPECT_EQ(textAt(1, 2), QStringLiteral("(4; 2)"));
+    EXPECT_EQ(textAt(1, 4), QString());
+}
+
+TEST_F(TablesPanelTest, areCopiedAsLatexAndForSpreadsheets) {
+    const Table table = shown();
+    test::click(test::named<QToolButton>(panel_, "Copy the table as LaTeX"));
+    EXPECT_EQ(QGuiApplication::clipboard()->text().toStdString(), writeLatex(table, textSource()));
+    test::click(test::named<QToolButton>(panel_, "Copy the table for a spreadsheet"));
+    EXPECT_EQ(QGuiApplication::clipboard()->text().toStdString(), writeDelimited(table, textSource()));
+    EXPECT_EQ(steps(), QStringList());
+}
+
+TEST_F(TablesPanelTest, keepTheChosenOneAndFollowTheLanguage) {
+    choose(1);
+    const Table weights = shown();
+    shell.language.setLanguage(Language::Ukrainian);
+    test::settle();
+    EXPECT_EQ(shown(), weights);
+    EXPECT_EQ(panel_.findChild<QComboBox*>()->currentIndex(), 1);
+    EXPECT_EQ(panel_.findChild<QComboBox*>()->currentText(), captionText(Caption::weightsAtT));
+}
+
+} // namespace
+} // namespace kriva::ui
