@@ -1,5 +1,6 @@
 #include "ui/panels/points_model.h"
 
+#include "core/exchange/conversion.h"
 #include "ui/sheets/sheet_editor.h"
 #include "ui/shell/language/number_text.h"
 
@@ -58,9 +59,7 @@ PointsModel::PointsModel(SheetEditor& editor, std::vector<PointColumn> columns, 
 
 void PointsModel::follow() {
     const Curve* curve = editor_.activeCurve();
-    Points now;
-    for (int i = 0; curve && i < static_cast<int>(pointCount(*curve)); ++i)
-        now.push_back(kriva::pointAt(*curve, i));
+    Points now = curve ? pointsOf(*curve) : Points();
     const int rows = static_cast<int>(now.size());
     const int before = rowCount();
     if (rows == before) {
