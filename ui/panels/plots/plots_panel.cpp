@@ -6,7 +6,6 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
-#include <QSignalBlocker>
 
 #include <algorithm>
 #include <utility>
@@ -40,15 +39,13 @@ constexpr std::size_t kMostValues = 16; ///< more than anyone reads
 
 PlotsPanel::PlotsPanel(ShownSheet& sheet, Plots plots, QWidget* parent)
     : QWidget(parent)
-    , choice_(new QComboBox(this))
+    , choice_(new KeptChoice(this))
     , export_(new QToolButton(this))
     , layout_(new QVBoxLayout(this))
     , work_(sheet, [this, plots = std::move(plots)](const std::optional<Curve>& curve) -> LatestWork::Take {
         return [this, made = curve ? plots(*curve) : std::vector<PlotGroup>()] { take(made); };
     }) {
     work_.setWatched(false);
-    choice_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     export_->setIcon(icon(IconName::Export));
     export_->setAutoRaise(true);
     auto* row = new QHBoxLayout;
@@ -98,17 +95,11 @@ void PlotsPanel::take(std::vector<PlotGroup> groups) {
     showGroup();
 }
 
-/// The choice stays where it is as long as there is that plot.
 void PlotsPanel::showNames() {
-    const QSignalBlocker blocker(choice_);
-    const int chosen = std::max(0, choice_->currentIndex());
     QStringList names;
     for (const PlotGroup& group : groups_)
         names.append(captionText(group.caption));
-    choice_->clear();
-    choice_->addItems(names);
-    choice_->setCurrentIndex(std::min(chosen, choice_->count() - 1));
-    choice_->setEnabled(!groups_.empty());
+    choice_->setNames(names);
     export_->setEnabled(!groups_.empty());
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "ui/panels/controls/kept_choice.h"
 #include "ui/panels/plots/plot_view.h"
 #include "ui/sheets/results/curve_work.h"
 
-#include <QComboBox>
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -42,7 +42,7 @@ class PlotsPanel : public QWidget {
     void showValues();
 
     std::vector<PlotGroup> groups_;
-    QComboBox* choice_;
+    KeptChoice* choice_;
     QToolButton* export_;
     QVBoxLayout* layout_;
     std::vector<Row> rows_;

@@ -8,7 +8,6 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -17,7 +16,7 @@ namespace kriva::ui {
 
 TablesPanel::TablesPanel(ShownSheet& sheet, Tables tables, QWidget* parent)
     : QWidget(parent)
-    , choice_(new QComboBox(this))
+    , choice_(new KeptChoice(this))
     , view_(new QTableView(this))
     , latex_(new QToolButton(this))
     , csv_(new QToolButton(this))
@@ -31,8 +30,6 @@ TablesPanel::TablesPanel(ShownSheet& sheet, Tables tables, QWidget* parent)
     view_->verticalHeader()->hide();
     view_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     view_->horizontalHeader()->setResizeContentsPrecision(0); // as wide as what is seen needs
-    choice_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     auto* row = new QHBoxLayout;
     row->addWidget(choice_, 1);
     row->addWidget(latex_);
@@ -84,17 +81,11 @@ void TablesPanel::take(std::vector<Table> tables) {
     showTable();
 }
 
-/// The choice stays where it is as long as there is that table.
 void TablesPanel::showNames() {
-    const QSignalBlocker blocker(choice_);
-    const int chosen = std::max(0, choice_->currentIndex());
     QStringList names;
     for (const Table& table : tables_)
         names.append(captionText(table.caption));
-    choice_->clear();
-    choice_->addItems(names);
-    choice_->setCurrentIndex(std::min(chosen, choice_->count() - 1));
-    choice_->setEnabled(!tables_.empty());
+    choice_->setNames(names);
     latex_->setEnabled(!tables_.empty());
     csv_->setEnabled(!tables_.empty());
 }

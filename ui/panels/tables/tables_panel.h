@@ -1,9 +1,9 @@
 #pragma once
 
+#include "ui/panels/controls/kept_choice.h"
 #include "ui/panels/tables/table_model.h"
 #include "ui/sheets/results/curve_work.h"
 
-#include <QComboBox>
 #include <QTableView>
 #include <QToolButton>
 
@@ -33,7 +33,7 @@ class TablesPanel : public QWidget {
 
     std::vector<Table> tables_;
     TableModel model_;
-    QComboBox* choice_;
+    KeptChoice* choice_;
     QTableView* view_;
     QToolButton* latex_;
     QToolButton* csv_;

@@ -1,0 +1,24 @@
+#include "ui/panels/controls/kept_choice.h"
+
+#include <QSignalBlocker>
+
+#include <algorithm>
+
+namespace kriva::ui {
+
+KeptChoice::KeptChoice(QWidget* parent)
+    : QComboBox(parent) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon); // a long name must not widen the panel
+}
+
+void KeptChoice::setNames(const QStringList& names) {
+    const QSignalBlocker blocker(this);
+    const int chosen = std::max(0, currentIndex());
+    clear();
+    addItems(names);
+    setCurrentIndex(std::min(chosen, count() - 1));
+    setEnabled(!names.empty());
+}
+
+} // namespace kriva::ui
