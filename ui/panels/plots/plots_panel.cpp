@@ -7,7 +7,6 @@
 #include <QEvent>
 #include <QHBoxLayout>
 
-#include <algorithm>
 #include <utility>
 
 namespace kriva::ui {
