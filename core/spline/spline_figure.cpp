@@ -40,18 +40,6 @@ Layer polygonLayer(const std::vector<Points>& segments) {
     return {"control-polygon", {{polyline(polygon), Role::controlPolygon}}};
 }
 
-/// Cubics have their handles in them.
-std::vector<KnotHandles> handlesOf(const SplineCurve& curve, const std::vector<Points>& segments) {
-    if (curve.degree != 3)
-        return knotHandles(curve);
-    std::vector<KnotHandles> handles(curve.knots.size());
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        handles[i].out = segments[i][1];
-        handles[(i + 1) % handles.size()].in = segments[i][2];
-    }
-    return handles;
-}
-
 /// The handles in the order of the curve.
 Points handlePoints(std::span<const KnotHandles> handles) {
     Points points;
@@ -122,7 +110,7 @@ std::span<const LayerInfo> layersOf(const SplineCurve&) {
 
 Figure figureOf(const SplineCurve& curve, const FigureContext& context) {
     const std::vector<Points> segments = segmentsOf(curve);
-    const std::vector<KnotHandles> handles = handlesOf(curve, segments);
+    const std::vector<KnotHandles> handles = knotHandles(curve);
     Figure figure;
     if (!isIncomplete(curve)) {
         figure.layers.push_back(polygonLayer(segments));
