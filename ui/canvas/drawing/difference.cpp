@@ -89,6 +89,7 @@ Box roomOf(std::span<const QPoint> places, const QPixmap& picture, double device
 } // namespace
 
 Box difference(const PreparedStroke& before, const PreparedStroke& after) {
+    const bool isDashed = after.pen.style() == Qt::CustomDashLine || !after.dashes.empty();
     Box changed;
     if (before.pen != after.pen || before.polylines.size() != after.polylines.size())
         for (const PreparedStroke* stroke : {&before, &after})
@@ -98,8 +99,7 @@ Box difference(const PreparedStroke& before, const PreparedStroke& after) {
         changed = differenceOfLines(linesOf(before), linesOf(after));
     else
         for (std::size_t i = 0; i < after.polylines.size(); ++i)
-            changed = united(changed, differenceOfPolylines(before.polylines[i], after.polylines[i],
-                                                            after.pen.style() == Qt::CustomDashLine));
+            changed = united(changed, differenceOfPolylines(before.polylines[i], after.polylines[i], isDashed));
     return changed.isEmpty() ? changed : grown(changed, std::max(before.pen.widthF(), after.pen.widthF()) + kMargin);
 }
 

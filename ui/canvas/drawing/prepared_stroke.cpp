@@ -9,6 +9,7 @@
 #include <cmath>
 #include <iterator>
 #include <span>
+#include <utility>
 
 namespace kriva::ui {
 namespace {
@@ -23,37 +24,41 @@ constexpr qsizetype kMostJoined = 1'000;
 constexpr double kMostJoinedInk = 100'000; // pixels: where lines lie over each other, a shape of them is slow
 constexpr qsizetype kPointsAtOnce = 64;
 
-/// Cuts a walk into dashes and gaps, from one line to the next.
+/// Cuts a walk into dashes and gaps, from one line to the next. QPainter's own dashes move with the part that is
+/// painted.
 class Dashes {
   public:
-    Dashes(const QPen& pen, QList<QLineF>& lines)
-        : lines_(lines)
-        , left_(pen.dashPattern().front() * pen.widthF()) {
+    explicit Dashes(const QPen& pen)
+        : left_(pen.dashPattern().front() * pen.widthF()) {
         for (const double length : pen.dashPattern())
             lengths_.append(length * pen.widthF());
     }
 
-    void walk(const QLineF& line) {
+    /// Calls visit(QLineF piece, bool isNew) for each piece of a dash on the line; a new dash begins where it says so.
+    template <class Visit>
+    void walk(const QLineF& line, Visit visit) {
         const double length = line.length();
         double walked = 0;
         while (walked < length) {
             const double step = std::min(left_, length - walked);
             if (index_ % 2 == 0)
-                lines_.append({line.pointAt(walked / length), line.pointAt((walked + step) / length)});
+                visit(QLineF(line.pointAt(walked / length), line.pointAt((walked + step) / length)),
+                      std::exchange(isNew_, false));
             walked += step;
             left_ -= step;
             if (left_ <= 0) {
                 index_ = (index_ + 1) % lengths_.size();
                 left_ = lengths_[index_];
+                isNew_ = true;
             }
         }
     }
 
   private:
-    QList<QLineF>& lines_;
     QList<double> lengths_;
     qsizetype index_ = 0;
     double left_; ///< of the present dash or gap
+    bool isNew_ = true;
 };
 
 template <class Visit>
@@ -88,17 +93,28 @@ void paintLines(QPainter& painter, const QList<QLineF>& lines, const Box& reache
 } // namespace
 
 PreparedStroke preparedStroke(std::vector<QPolygonF> polylines, QPen pen, double devicePixelRatio) {
-    PreparedStroke stroke{std::move(pen), std::move(polylines), {}};
+    PreparedStroke stroke{std::move(pen), std::move(polylines), {}, {}};
     const double width = stroke.pen.widthF() * devicePixelRatio;
-    if (width <= kFastWidth || (width > kLineWidth && canBeJoined(stroke)))
-        return stroke;
     const bool isDashed = stroke.pen.style() == Qt::CustomDashLine;
+    const bool isJoined = width > kLineWidth && canBeJoined(stroke);
+    if (width <= kFastWidth || (isJoined && !isDashed))
+        return stroke;
     for (const QPolygonF& polyline : stroke.polylines) {
-        if (isDashed)
-            forEachLine(polyline,
-                        [dashes = Dashes(stroke.pen, stroke.lines)](const QLineF& line) mutable { dashes.walk(line); });
-        else
+        if (!isDashed) {
             forEachLine(polyline, [&](const QLineF& line) { stroke.lines.append(line); });
+            continue;
+        }
+        Dashes dashes(stroke.pen);
+        forEachLine(polyline, [&](const QLineF& line) {
+            dashes.walk(line, [&](const QLineF& piece, bool isNew) {
+                if (!isJoined)
+                    stroke.lines.append(piece);
+                else if (isNew)
+                    stroke.dashes.push_back({piece.p1(), piece.p2()});
+                else
+                    stroke.dashes.back().append(piece.p2());
+            });
+        });
     }
     // Square ends fill the joints between lines; dashes keep their length.
     stroke.pen.setStyle(Qt::SolidLine);
@@ -114,9 +130,9 @@ void paint(QPainter& painter, const PreparedStroke& stroke, const QRectF& seen) 
     if (!stroke.lines.empty())
         return;
     const bool isDashed = stroke.pen.style() != Qt::SolidLine;
-    for (const QPolygonF& polyline : stroke.polylines) {
-        // Each part begins with the last line of the one before, so that the joint between them has no gap. Dashes go
-        // on from one line to the next.
+    for (const QPolygonF& polyline : stroke.dashes.empty() ? stroke.polylines : stroke.dashes) {
+        // Each part begins with the last line of the one before, so that the joint between them has no gap. Thin
+        // dashes go on from one line to the next.
         const qsizetype step = isDashed ? std::max<qsizetype>(1, polyline.size()) : kPointsAtOnce;
         for (qsizetype first = 0; first + 1 < polyline.size(); first += step) {
             const qsizetype from = std::max<qsizetype>(0, first - 1);

@@ -17,7 +17,8 @@ namespace kriva::ui {
 struct PreparedStroke {
     QPen pen;
     std::vector<QPolygonF> polylines;
-    QList<QLineF> lines; ///< of a wide pen, cut into its dashes; drawn instead of the polylines
+    QList<QLineF> lines;           ///< of a wide pen, cut into its dashes; drawn instead of the polylines
+    std::vector<QPolygonF> dashes; ///< of a wider pen with true joints; likewise
 };
 
 [[nodiscard]] PreparedStroke preparedStroke(std::vector<QPolygonF> polylines, QPen pen, double devicePixelRatio);
