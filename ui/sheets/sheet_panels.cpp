@@ -1,6 +1,7 @@
 #include "ui/sheets/sheet_panels.h"
 
 #include "ui/panels/curves_panel.h"
+#include "ui/panels/guide/guide_panel.h"
 #include "ui/panels/history_panel.h"
 #include "ui/panels/layers_panel.h"
 #include "ui/panels/results_panel.h"
@@ -42,12 +43,17 @@ void SheetPanels::fill() {
         Qt::RightDockWidgetArea);
     add("history", QT_TRANSLATE_NOOP("SheetPanels", "History"), new HistoryPanel(editor_, &tab_),
         Qt::RightDockWidgetArea);
+    const std::string_view sheet = sheetName(editor_.index());
+    guide_ = new GuidePanel(QString::fromUtf8(sheet.data(), static_cast<qsizetype>(sheet.size())), &tab_);
+    guide_->setExample(example_);
+    add("guide", QT_TRANSLATE_NOOP("SheetPanels", "Guide"), guide_, Qt::RightDockWidgetArea);
     for (const Panel& panel : panels_)
         if (panel.dock->widget() != properties) // they know their own width
             panel.dock->widget()->setMinimumWidth(kPanelWidth);
-    // Layers and history are looked at now and then: they wait behind their neighbours.
+    // Layers, history and guide are looked at now and then: they wait behind their neighbours.
     tab_.tabifyDockWidget(panels_[0].dock, panels_[2].dock);
     tab_.tabifyDockWidget(panels_[4].dock, panels_[5].dock);
+    tab_.tabifyDockWidget(panels_[5].dock, panels_[6].dock);
     panels_[0].dock->raise();
     panels_[4].dock->raise();
 }
@@ -96,6 +102,12 @@ void SheetPanels::show(const char* name) {
 void SheetPanels::beginRenaming() {
     show("curves");
     static_cast<CurvesPanel*>(panels_.front().dock->widget())->beginRenaming();
+}
+
+void SheetPanels::setExample(const Example* example) {
+    example_ = example;
+    if (guide_)
+        guide_->setExample(example);
 }
 
 void SheetPanels::retranslateUi() {

@@ -9,6 +9,9 @@
 
 namespace kriva::ui {
 
+class GuidePanel;
+struct Example;
+
 /// The dockable panels of a tab. They are made when the tab is first shown: a window starts with one tab in sight.
 class SheetPanels {
   public:
@@ -28,6 +31,8 @@ class SheetPanels {
     void show(const char* name);
     /// Lets the name of the active curve be typed in the panel of curves, which comes into sight.
     void beginRenaming();
+    /// What the guide says about the example on show; null where none is.
+    void setExample(const Example* example);
     void retranslateUi();
 
   private:
@@ -43,6 +48,8 @@ class SheetPanels {
     const SheetRelations& relations_;
     const SheetUi& ui_;
     std::vector<Panel> panels_;
+    GuidePanel* guide_ = nullptr;
+    const Example* example_ = nullptr;
     QByteArray firstLayout_;
     QByteArray layout_; ///< for the panels once they are made
 };

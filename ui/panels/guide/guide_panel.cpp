@@ -1,0 +1,160 @@
+#include "ui/panels/guide/guide_panel.h"
+
+#include "ui/figures/figure_ink.h"
+#include "ui/panels/guide/formula_html.h"
+#include "ui/panels/guide/guide_figure.h"
+#include "ui/shell/examples.h"
+#include "ui/shell/language/language.h"
+#include "ui/shell/look/theme.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QFile>
+#include <QScrollBar>
+#include <QTimer>
+
+namespace kriva::ui {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr int kMargin = 14;         // px around the page
+constexpr int kWidestPicture = 460; // px: beyond it a figure of a few lines looks lost
+constexpr int kNarrowestPicture = 160;
+constexpr QSize kReadable{400, 480};
+
+[[nodiscard]] QColor mixed(const QColor& a, const QColor& b, double part) {
+    const auto mix = [part](int x, int y) { return static_cast<int>(part * x + (1 - part) * y); };
+    return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
+}
+
+} // namespace
+
+GuidePanel::GuidePanel(const QString& sheet, QWidget* parent)
+    : QTextBrowser(parent)
+    , sheet_(sheet) {
+    setObjectName(QStringLiteral("guide"));
+    setFrameShape(QFrame::NoFrame);
+    setOpenLinks(false);
+    document()->setDocumentMargin(kMargin);
+    connect(this, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) { scrollToAnchor(link.fragment()); });
+    retranslateUi();
+}
+
+void GuidePanel::setExample(const Example* example) {
+    example_ = example;
+    invalidate();
+    verticalScrollBar()->setValue(0);
+}
+
+QSize GuidePanel::sizeHint() const {
+    return kReadable;
+}
+
+void GuidePanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    else if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        invalidate();
+    QTextBrowser::changeEvent(event);
+}
+
+void GuidePanel::showEvent(QShowEvent* event) {
+    QTextBrowser::showEvent(event);
+    if (isStale_)
+        write();
+}
+
+void GuidePanel::resizeEvent(QResizeEvent* event) {
+    QTextBrowser::resizeEvent(event);
+    if (pictureWidth() != writtenWidth_)
+        invalidate();
+}
+
+void GuidePanel::retranslateUi() {
+    setAccessibleName(tr("Guide"));
+    invalidate();
+}
+
+void GuidePanel::invalidate() {
+    isStale_ = true;
+    if (isVisible()) // once for all that changes in a turn of the event loop
+        QTimer::singleShot(0, this, [this] {
+            if (isStale_ && isVisible())
+                write();
+        });
+}
+
+void GuidePanel::write() {
+    isStale_ = false;
+    writtenWidth_ = pictureWidth();
+    const int length = verticalScrollBar()->maximum();
+    const double place = length > 0 ? static_cast<double>(verticalScrollBar()->value()) / length : 0;
+    document()->setDefaultStyleSheet(styleSheetOfPage());
+    setHtml(note() + withFormulas(source()));
+    verticalScrollBar()->setValue(qRound(place * verticalScrollBar()->maximum()));
+}
+
+QString GuidePanel::source() const {
+    const Language language = languageOf(QLocale().name()).value_or(Language::English);
+    QFile file(u":/guide/%1/%2.html"_s.arg(languageCode(language), sheet_));
+    [[maybe_unused]] const bool isThere = file.open(QIODevice::ReadOnly);
+    Q_ASSERT(isThere); // it is part of the program
+    return QString::fromUtf8(file.readAll());
+}
+
+QString GuidePanel::note() const {
+    if (!example_)
+        return {};
+    return u"<table class=\"note\" width=\"100%\" cellpadding=\"8\"><tr><td><b>%1</b><br>%2</td></tr></table>"_s.arg(
+        QCoreApplication::translate("Menus", example_->name),
+        QCoreApplication::translate("Examples", example_->lookAt));
+}
+
+QString GuidePanel::styleSheetOfPage() const {
+    const QPalette colors = palette();
+    const QString accent = colors.color(QPalette::Link).name();
+    const QString ink = colors.color(QPalette::Text).name();
+    const QString pale = mixed(colors.color(QPalette::Text), colors.color(QPalette::Base), 0.62).name();
+    const QString card = colors.color(QPalette::AlternateBase).name();
+    const double size = font().pointSizeF();
+    return uR"(
+        h1 { font-size: %6pt; font-weight: 600; margin-top: 4px; margin-bottom: 6px; }
+        h2 { font-size: %7pt; font-weight: 600; color: %1; margin-top: 18px; margin-bottom: 4px; }
+        p { margin-top: 5px; margin-bottom: 5px; line-height: 125%; }
+        li { margin-bottom: 3px; line-height: 120%; }
+        a { color: %1; text-decoration: none; }
+        .lead { color: %3; }
+        .caption { color: %3; font-size: %8pt; margin-top: 0px; margin-bottom: 10px; }
+        .math, .formula td { font-family: '%5'; font-size: %9pt; }
+        .formula { margin-top: 6px; margin-bottom: 6px; }
+        .formula td { white-space: nowrap; vertical-align: middle; padding-left: 1px; padding-right: 1px; }
+        .frac-first { border-bottom-width: 1px; border-bottom-style: solid; border-bottom-color: %2; }
+        td.sum-first, td.sum-third { font-size: %10pt; }
+        td.sum-second { font-size: %6pt; }
+        td.brace { font-size: %11pt; }
+        .note { background-color: %4; margin-bottom: 8px; }
+        .keys td { padding-top: 3px; padding-bottom: 3px; padding-right: 10px; }
+        .table td, .table th { padding: 3px 8px 3px 8px; }
+    )"_s.arg(accent, ink, pale, card, labelFonts(1).text.family())
+        .arg(1.7 * size)
+        .arg(1.25 * size)
+        .arg(0.92 * size)
+        .arg(1.12 * size)
+        .arg(0.8 * size)
+        .arg(2.2 * size);
+}
+
+int GuidePanel::pictureWidth() const {
+    return std::clamp(viewport()->width() - 2 * kMargin, kNarrowestPicture, kWidestPicture);
+}
+
+QVariant GuidePanel::loadResource(int type, const QUrl& name) {
+    if (type != QTextDocument::ImageResource || name.scheme() != u"figure")
+        return {};
+    const Theme theme = isDark(palette()) ? Theme::dark : Theme::light;
+    return guideFigure(name.path(), {writtenWidth_, devicePixelRatioF(), theme});
+}
+
+} // namespace kriva::ui
