@@ -179,6 +179,14 @@
         <source>&amp;Insert a point</source>
         <translation>&amp;Вмъкване на точка</translation>
     </message>
+    <message>
+        <source>User &amp;guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -652,6 +660,45 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>Examples</name>
+    <message>
+        <source>The polygon of degree 100 lies all but on the curve. Lower the degree with Page Down and watch the gap grow like 1/N.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three rows of midpoints lead to the point (7/2, 3/2) of the curve. Move t: the last segment of the scheme stays tangent to the curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each row of the scheme has a parameter of its own. Change one argument: the point leaves the curve. Make all equal: it lies on the curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One polygon, whose inner points count once, twice and three times: the more often a point counts, the closer it draws the arc to itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A closed chain of six cubics that crosses itself three times. Results names the segments and parameters of every crossing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The two arrows are the derivatives at the ends. Drag one: the whole chain follows, and every knot stays C2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On equally spaced points the interpolation of degree 10 swings out near the ends; the approximation of degree 6 does so far less.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points turn back in x four times: five monotone runs, each a polynomial y(x), joined by Bézier curves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two curves of pairs pass through every point. Drag a middle point: only its own pair changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ExportFigure</name>
     <message>
         <source>Export figure</source>
@@ -664,6 +711,321 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>The figure was not written</source>
         <translation>Фигурата не беше записана</translation>
+    </message>
+</context>
+<context>
+    <name>Gestures</name>
+    <message>
+        <source>Tabs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show a tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt+1 … Alt+4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next tab</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points, with the mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select a point, or make a curve the active one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select or deselect one more point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select all points in a rectangle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag on the empty canvas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>… more points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>… fewer points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt+drag or Ctrl+Shift+drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a point at the end of the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt+click, or double-click on the empty canvas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Insert a point and keep the shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double-click or Ctrl+Alt+click on the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a point and refit its neighbours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt+click on the point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move a point or the selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag the point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>… along an axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>… without snapping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift, pressed during the drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mould the curve</source>
+        <translation type="unfinished">Извиване на кривата</translation>
+    </message>
+    <message>
+        <source>Drag the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What can be done here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right-click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a point, or insert one on the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pull the handles of the new knot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press and drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the curve</source>
+        <translation type="unfinished">Затваряне на кривата</translation>
+    </message>
+    <message>
+        <source>Click on the first knot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation type="unfinished">Край</translation>
+    </message>
+    <message>
+        <source>Enter or Esc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handles and end derivatives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn in steps of 15°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the other handle where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt, pressed during the drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Carry the knot along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space, held during the drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retract the handle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys on the canvas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit the selection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Previous point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the selection by a step of the grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>… by ten steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+arrow keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>… by a pixel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt+arrow keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the selection and refit its neighbours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete or Backspace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the selection without refitting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take back the drag, end the tool, deselect, leave the canvas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View, with the mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scroll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scroll sideways</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom at the pointer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag with the middle button or with Space</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Player</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One step back or forth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1150,6 +1512,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>History</source>
         <translation>История</translation>
     </message>
+    <message>
+        <source>Guide</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -1548,6 +1914,13 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>kriva::ui::GuidePanel</name>
+    <message>
+        <source>Guide</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::HistoryPanel</name>
     <message>
         <source>History</source>
@@ -1705,6 +2078,25 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Results</source>
         <translation>Резултати</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ShortcutsDialog</name>
+    <message>
+        <source>Shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

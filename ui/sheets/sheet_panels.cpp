@@ -9,10 +9,13 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace kriva::ui {
 namespace {
 
 constexpr int kPanelWidth = 260; // px, at least: room for a table of points with a column of the sheet's own
+constexpr int kGuideWidth = 420; // px: lines of ten words, and pictures that show their labels
 
 } // namespace
 
@@ -102,6 +105,17 @@ void SheetPanels::show(const char* name) {
 void SheetPanels::beginRenaming() {
     show("curves");
     static_cast<CurvesPanel*>(panels_.front().dock->widget())->beginRenaming();
+}
+
+void SheetPanels::showGuide() {
+    show("guide");
+    auto* dock = static_cast<QDockWidget*>(guide_->parentWidget());
+    if (dock->isFloating())
+        return;
+    // Who asks for it wants to read: it takes the room for that where it has less.
+    const int width = std::min(kGuideWidth, tab_.width() * 2 / 5);
+    tab_.resizeDocks({dock}, {std::max(dock->width(), width)}, Qt::Horizontal);
+    tab_.resizeDocks({dock}, {std::max(dock->height(), tab_.height() * 2 / 3)}, Qt::Vertical);
 }
 
 void SheetPanels::setExample(const Example* example) {

@@ -31,6 +31,8 @@ class SheetPanels {
     void show(const char* name);
     /// Lets the name of the active curve be typed in the panel of curves, which comes into sight.
     void beginRenaming();
+    /// The same with the guide, and gives it room to be read.
+    void showGuide();
     /// What the guide says about the example on show; null where none is.
     void setExample(const Example* example);
     void retranslateUi();

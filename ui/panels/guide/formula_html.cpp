@@ -1,6 +1,7 @@
 #include "ui/panels/guide/formula_html.h"
 
 #include <QRegularExpression>
+#include <QStringList>
 
 namespace kriva::ui {
 
@@ -12,14 +13,12 @@ namespace {
     return c.isLetter() && c.unicode() < 0x80;
 }
 
-/// Signs that stand one above the other.
-[[nodiscard]] QString pile(std::initializer_list<QString> rows, QLatin1StringView kind) {
-    QString table = u"<table class=\"%1\" cellspacing=\"0\" cellpadding=\"0\">"_s.arg(kind);
-    QLatin1StringView part("first");
-    for (const QString& row : rows) {
-        table += u"<tr><td align=\"center\" class=\"%1-%2\">%3</td></tr>"_s.arg(kind, part, row);
-        part = part == QLatin1StringView("first") ? QLatin1StringView("second") : QLatin1StringView("third");
-    }
+/// Signs that stand one above the other: rows of classes KIND-0, KIND-1 and so on, without those that are empty.
+[[nodiscard]] QString pile(const QStringList& rows, QLatin1StringView kind) {
+    QString table = u"<table cellspacing=\"0\" cellpadding=\"0\">"_s;
+    for (qsizetype i = 0; i < rows.size(); ++i)
+        if (!rows[i].isEmpty())
+            table += u"<tr><td align=\"center\" class=\"%1-%2\">%3</td></tr>"_s.arg(kind).arg(i).arg(rows[i]);
     return table + u"</table>"_s;
 }
 
@@ -64,6 +63,12 @@ class Reader {
             return u"−"_s;
         if (c == u'\'')
             return u"′"_s;
+        if (c == u'/')
+            return u"/\u2060"_s; // no line ends behind it
+        if (c == u'~')
+            return u"&emsp;"_s;
+        if (c == u' ' && isDisplay_) // cells would lose it at their ends
+            return u"&nbsp;"_s;
         return isLatin(c) ? u"<i>%1</i>"_s.arg(c) : QString(c);
     }
     QString shifted(const QString& tag) {
@@ -124,7 +129,9 @@ QString withFormulas(const QString& page) {
                     .arg(Reader(match.capturedView(1).trimmed(), true).html());
         from = match.capturedEnd();
     }
-    return html += QStringView(page).sliced(from);
+    html += QStringView(page).sliced(from);
+    static const QRegularExpression pair(u"\\(([^\\s(),<]{1,5}), ([^\\s(),<]{1,5})\\)"_s);
+    return html.replace(pair, u"(\\1,&nbsp;\\2)"_s); // the coordinates of a point stay on one line
 }
 
 } // namespace kriva::ui

@@ -6,7 +6,8 @@ namespace kriva::ui {
 
 /// A page of the guide with its formulas as HTML: `$...$` within a line, `$$...$$` on a line of its own.
 ///
-/// A letter is a variable, `_` and `^` lower and raise the next sign or group in braces, `-` is a minus, `'` a prime;
+/// A letter is a variable, `_` and `^` lower and raise the next sign or group in braces, `-` is a minus, `'` a prime,
+/// `~` a wide space;
 /// `\max` is the name of a function, `\frac{a|b}` a fraction, `\binom{n|k}` a binomial coefficient, `\sum{a|b}` a sum
 /// from a to b. Within a line fractions have a slash and sums no bounds.
 [[nodiscard]] QString withFormulas(const QString& page);

@@ -20,9 +20,9 @@ using namespace Qt::StringLiterals;
 namespace {
 
 constexpr int kMargin = 14;         // px around the page
+constexpr int kIndent = 18;         // px, of lists
 constexpr int kWidestPicture = 460; // px: beyond it a figure of a few lines looks lost
 constexpr int kNarrowestPicture = 160;
-constexpr QSize kReadable{400, 480};
 
 [[nodiscard]] QColor mixed(const QColor& a, const QColor& b, double part) {
     const auto mix = [part](int x, int y) { return static_cast<int>(part * x + (1 - part) * y); };
@@ -38,6 +38,7 @@ GuidePanel::GuidePanel(const QString& sheet, QWidget* parent)
     setFrameShape(QFrame::NoFrame);
     setOpenLinks(false);
     document()->setDocumentMargin(kMargin);
+    document()->setIndentWidth(kIndent);
     connect(this, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) { scrollToAnchor(link.fragment()); });
     retranslateUi();
 }
@@ -46,10 +47,6 @@ void GuidePanel::setExample(const Example* example) {
     example_ = example;
     invalidate();
     verticalScrollBar()->setValue(0);
-}
-
-QSize GuidePanel::sizeHint() const {
-    return kReadable;
 }
 
 void GuidePanel::changeEvent(QEvent* event) {
@@ -124,26 +121,29 @@ QString GuidePanel::styleSheetOfPage() const {
         h2 { font-size: %7pt; font-weight: 600; color: %1; margin-top: 18px; margin-bottom: 4px; }
         p { margin-top: 5px; margin-bottom: 5px; line-height: 125%; }
         li { margin-bottom: 3px; line-height: 120%; }
+        .figure { margin-top: 8px; margin-bottom: 0px; line-height: 100%; }
         a { color: %1; text-decoration: none; }
         .lead { color: %3; }
         .caption { color: %3; font-size: %8pt; margin-top: 0px; margin-bottom: 10px; }
-        .math, .formula td { font-family: '%5'; font-size: %9pt; }
+        .math { font-family: '%5'; font-size: %12pt; }
+        .formula td { font-family: '%5'; font-size: %9pt; }
         .formula { margin-top: 6px; margin-bottom: 6px; }
         .formula td { white-space: nowrap; vertical-align: middle; padding-left: 1px; padding-right: 1px; }
-        .frac-first { border-bottom-width: 1px; border-bottom-style: solid; border-bottom-color: %2; }
-        td.sum-first, td.sum-third { font-size: %10pt; }
-        td.sum-second { font-size: %6pt; }
+        .frac-0 { border-bottom-width: 1px; border-bottom-style: solid; border-bottom-color: %2; }
+        td.sum-0, td.sum-2 { font-size: %10pt; }
+        td.sum-1 { font-size: %6pt; }
         td.brace { font-size: %11pt; }
         .note { background-color: %4; margin-bottom: 8px; }
-        .keys td { padding-top: 3px; padding-bottom: 3px; padding-right: 10px; }
+        .table { border-collapse: collapse; border-width: 1px; border-style: solid; border-color: %3; }
         .table td, .table th { padding: 3px 8px 3px 8px; }
     )"_s.arg(accent, ink, pale, card, labelFonts(1).text.family())
         .arg(1.7 * size)
-        .arg(1.25 * size)
+        .arg(1.2 * size)
         .arg(0.92 * size)
-        .arg(1.12 * size)
-        .arg(0.8 * size)
-        .arg(2.2 * size);
+        .arg(1.2 * size)
+        .arg(0.85 * size)
+        .arg(2.2 * size)
+        .arg(1.1 * size);
 }
 
 int GuidePanel::pictureWidth() const {

@@ -16,8 +16,6 @@ class GuidePanel : public QTextBrowser {
     /// What to look at in the example that was opened stands above the page; nothing where it is null.
     void setExample(const Example* example);
 
-    [[nodiscard]] QSize sizeHint() const override;
-
   protected:
     QVariant loadResource(int type, const QUrl& name) override;
     void doSetSource(const QUrl&, QTextDocument::ResourceType) override {} // a link leads nowhere but down the page

@@ -15,7 +15,7 @@ namespace kriva::ui {
 Help::Help(MainWindow& window, const Actions& actions)
     : QObject(&window)
     , window_(window) {
-    connect(actions.guide, &QAction::triggered, this, [this] { window_.currentTab().panels().show("guide"); });
+    connect(actions.guide, &QAction::triggered, this, [this] { window_.currentTab().panels().showGuide(); });
     connect(actions.shortcuts, &QAction::triggered, this, &Help::showShortcuts);
     connect(actions.about, &QAction::triggered, this, &Help::showAbout);
     connect(actions.aboutQt, &QAction::triggered, qApp, &QApplication::aboutQt);
