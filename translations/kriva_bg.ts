@@ -181,11 +181,11 @@
     </message>
     <message>
         <source>User &amp;guide</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ръководство</translation>
     </message>
     <message>
         <source>&amp;Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Клавишни комбинации</translation>
     </message>
 </context>
 <context>
@@ -663,39 +663,39 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <name>Examples</name>
     <message>
         <source>The polygon of degree 100 lies all but on the curve. Lower the degree with Page Down and watch the gap grow like 1/N.</source>
-        <translation type="unfinished"></translation>
+        <translation>Полигонът от степен 100 почти съвпада с кривата. Понижавайте степента с Page Down и вижте как разстоянието расте като 1/N.</translation>
     </message>
     <message>
         <source>Three rows of midpoints lead to the point (7/2, 3/2) of the curve. Move t: the last segment of the scheme stays tangent to the curve.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Each row of the scheme has a parameter of its own. Change one argument: the point leaves the curve. Make all equal: it lies on the curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Три реда от среди на отсечки водят до точката (7/2, 3/2) от кривата. Променяйте t: последната отсечка на схемата остава допирателна към кривата.</translation>
     </message>
     <message>
         <source>One polygon, whose inner points count once, twice and three times: the more often a point counts, the closer it draws the arc to itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Един полигон, чиито вътрешни точки се броят веднъж, два пъти и три пъти: колкото по-голяма е кратността, толкова повече точката притегля дъгата.</translation>
     </message>
     <message>
         <source>A closed chain of six cubics that crosses itself three times. Results names the segments and parameters of every crossing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Затворена верига от шест кубични криви, която се пресича сама три пъти. В Резултати са сегментите и параметрите на всяко пресичане.</translation>
     </message>
     <message>
         <source>The two arrows are the derivatives at the ends. Drag one: the whole chain follows, and every knot stays C2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Двете стрелки са производните в краищата. Влачете една от тях: цялата верига я следва, а всеки възел остава C2.</translation>
     </message>
     <message>
         <source>On equally spaced points the interpolation of degree 10 swings out near the ends; the approximation of degree 6 does so far less.</source>
-        <translation type="unfinished"></translation>
+        <translation>В равноотдалечени точки интерполацията от степен 10 силно се люлее край краищата; апроксимацията от степен 6 – много по-малко.</translation>
     </message>
     <message>
         <source>The points turn back in x four times: five monotone runs, each a polynomial y(x), joined by Bézier curves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Точките четири пъти обръщат посоката си по x: пет монотонни участъка, всеки полином y(x), съединени с криви на Безие.</translation>
     </message>
     <message>
         <source>Two curves of pairs pass through every point. Drag a middle point: only its own pair changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Две криви от двойки минават през всички точки. Влачете междинна точка: променя се само нейната двойка.</translation>
+    </message>
+    <message>
+        <source>Each row of the scheme has a parameter of its own, and so the point lies off the curve. Make the three arguments equal: it falls on it.</source>
+        <translation>Всеки ред на схемата има собствен параметър, затова точката не лежи върху кривата. Направете трите аргумента равни: тя пада върху нея.</translation>
     </message>
 </context>
 <context>
@@ -717,315 +717,315 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <name>Gestures</name>
     <message>
         <source>Tabs</source>
-        <translation type="unfinished"></translation>
+        <translation>Раздели</translation>
     </message>
     <message>
         <source>Show a tab</source>
-        <translation type="unfinished"></translation>
+        <translation>Показва раздел</translation>
     </message>
     <message>
         <source>Alt+1 … Alt+4</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+1 … Alt+4</translation>
     </message>
     <message>
         <source>Next tab</source>
-        <translation type="unfinished"></translation>
+        <translation>Следващ раздел</translation>
     </message>
     <message>
         <source>Points, with the mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Точки, с мишката</translation>
     </message>
     <message>
         <source>Select a point, or make a curve the active one</source>
-        <translation type="unfinished"></translation>
+        <translation>Избира точка или прави крива активна</translation>
     </message>
     <message>
         <source>Click</source>
-        <translation type="unfinished"></translation>
+        <translation>Щракване</translation>
     </message>
     <message>
         <source>Select or deselect one more point</source>
-        <translation type="unfinished"></translation>
+        <translation>Избира още една точка или я изключва от избора</translation>
     </message>
     <message>
         <source>Shift+click</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+щракване</translation>
     </message>
     <message>
         <source>Select all points in a rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Избира всички точки в правоъгълник</translation>
     </message>
     <message>
         <source>Drag on the empty canvas</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>… more points</source>
-        <translation type="unfinished"></translation>
+        <translation>Влачене по празно платно</translation>
     </message>
     <message>
         <source>Shift+drag</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>… fewer points</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+влачене</translation>
     </message>
     <message>
         <source>Alt+drag or Ctrl+Shift+drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+влачене или Ctrl+Shift+влачене</translation>
     </message>
     <message>
         <source>Add a point at the end of the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Добавя точка в края на кривата</translation>
     </message>
     <message>
         <source>Alt+click, or double-click on the empty canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+щракване или двойно щракване върху празно платно</translation>
     </message>
     <message>
         <source>Insert a point and keep the shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Вмъква точка и запазва формата</translation>
     </message>
     <message>
         <source>Double-click or Ctrl+Alt+click on the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Двойно щракване или Ctrl+Alt+щракване върху кривата</translation>
     </message>
     <message>
         <source>Remove a point and refit its neighbours</source>
-        <translation type="unfinished"></translation>
+        <translation>Премахва точка и нагласява съседите ѝ</translation>
     </message>
     <message>
         <source>Alt+click on the point</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+щракване върху точката</translation>
     </message>
     <message>
         <source>Move a point or the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Премества точка или избраното</translation>
     </message>
     <message>
         <source>Drag the point</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>… along an axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Влачене на точката</translation>
     </message>
     <message>
         <source>Ctrl+drag</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>… without snapping</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+влачене</translation>
     </message>
     <message>
         <source>Shift, pressed during the drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift, натиснат по време на влачене</translation>
     </message>
     <message>
         <source>Mould the curve</source>
-        <translation type="unfinished">Извиване на кривата</translation>
+        <translation>Извива кривата</translation>
     </message>
     <message>
         <source>Drag the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Влачене на кривата</translation>
     </message>
     <message>
         <source>What can be done here</source>
-        <translation type="unfinished"></translation>
+        <translation>Какво може да се направи тук</translation>
     </message>
     <message>
         <source>Right-click</source>
-        <translation type="unfinished"></translation>
+        <translation>Щракване с десния бутон</translation>
     </message>
     <message>
         <source>Add tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Инструмент за добавяне</translation>
     </message>
     <message>
         <source>Add a point, or insert one on the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Добавя точка или я вмъква в кривата</translation>
     </message>
     <message>
         <source>Pull the handles of the new knot</source>
-        <translation type="unfinished"></translation>
+        <translation>Изтегля манипулаторите на новия възел</translation>
     </message>
     <message>
         <source>Press and drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Натискане и влачене</translation>
     </message>
     <message>
         <source>Close the curve</source>
-        <translation type="unfinished">Затваряне на кривата</translation>
+        <translation>Затваря кривата</translation>
     </message>
     <message>
         <source>Click on the first knot</source>
-        <translation type="unfinished"></translation>
+        <translation>Щракване върху първия възел</translation>
     </message>
     <message>
         <source>End</source>
-        <translation type="unfinished">Край</translation>
+        <translation>Край</translation>
     </message>
     <message>
         <source>Enter or Esc</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter или Esc</translation>
     </message>
     <message>
         <source>Handles and end derivatives</source>
-        <translation type="unfinished"></translation>
+        <translation>Манипулатори и производни в краищата</translation>
     </message>
     <message>
         <source>Turn in steps of 15°</source>
-        <translation type="unfinished"></translation>
+        <translation>Върти на стъпки от 15°</translation>
     </message>
     <message>
         <source>Keep the angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Запазва ъгъла</translation>
     </message>
     <message>
         <source>Ctrl+Alt+drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+влачене</translation>
     </message>
     <message>
         <source>Leave the other handle where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Оставя другия манипулатор на място</translation>
     </message>
     <message>
         <source>Alt, pressed during the drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt, натиснат по време на влачене</translation>
     </message>
     <message>
         <source>Carry the knot along</source>
-        <translation type="unfinished"></translation>
+        <translation>Носи и възела</translation>
     </message>
     <message>
         <source>Space, held during the drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Интервал, задържан по време на влачене</translation>
     </message>
     <message>
         <source>Retract the handle</source>
-        <translation type="unfinished"></translation>
+        <translation>Прибира манипулатора</translation>
     </message>
     <message>
         <source>Ctrl+click</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+щракване</translation>
     </message>
     <message>
         <source>Keys on the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Клавиши върху платното</translation>
     </message>
     <message>
         <source>Edit tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Инструмент за редактиране</translation>
     </message>
     <message>
         <source>Fit the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Избраното в изгледа</translation>
     </message>
     <message>
         <source>Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Мрежа</translation>
     </message>
     <message>
         <source>Next point</source>
-        <translation type="unfinished"></translation>
+        <translation>Следваща точка</translation>
     </message>
     <message>
         <source>Previous point</source>
-        <translation type="unfinished"></translation>
+        <translation>Предишна точка</translation>
     </message>
     <message>
         <source>Move the selection by a step of the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Премества избраното с една стъпка на мрежата</translation>
     </message>
     <message>
         <source>Arrow keys</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>… by ten steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Стрелки</translation>
     </message>
     <message>
         <source>Shift+arrow keys</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>… by a pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+стрелки</translation>
     </message>
     <message>
         <source>Alt+arrow keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+стрелки</translation>
     </message>
     <message>
         <source>Remove the selection and refit its neighbours</source>
-        <translation type="unfinished"></translation>
+        <translation>Премахва избраното и нагласява съседните точки</translation>
     </message>
     <message>
         <source>Delete or Backspace</source>
-        <translation type="unfinished"></translation>
+        <translation>Delete или Backspace</translation>
     </message>
     <message>
         <source>Remove the selection without refitting</source>
-        <translation type="unfinished"></translation>
+        <translation>Премахва избраното без нагласяване</translation>
     </message>
     <message>
         <source>Take back the drag, end the tool, deselect, leave the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Отменя влаченето, прекратява инструмента, изчиства избора, напуска платното</translation>
     </message>
     <message>
         <source>View, with the mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Изглед, с мишката</translation>
     </message>
     <message>
         <source>Scroll</source>
-        <translation type="unfinished"></translation>
+        <translation>Превърта</translation>
     </message>
     <message>
         <source>Wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Колелце</translation>
     </message>
     <message>
         <source>Scroll sideways</source>
-        <translation type="unfinished"></translation>
+        <translation>Превърта настрани</translation>
     </message>
     <message>
         <source>Shift+wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+колелце</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Мащабира при показалеца</translation>
     </message>
     <message>
         <source>Ctrl+wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+колелце</translation>
     </message>
     <message>
         <source>Move the sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Мести листа</translation>
     </message>
     <message>
         <source>Drag with the middle button or with Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Влачене със средния бутон или с Интервал</translation>
     </message>
     <message>
         <source>Player</source>
-        <translation type="unfinished"></translation>
+        <translation>Анимация</translation>
     </message>
     <message>
         <source>Play or pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Пускане или пауза</translation>
     </message>
     <message>
         <source>One step back or forth</source>
-        <translation type="unfinished"></translation>
+        <translation>Един етап назад или напред</translation>
     </message>
     <message>
         <source>Left, Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Стрелка наляво, стрелка надясно</translation>
+    </message>
+    <message>
+        <source>Add the points in a rectangle to the selection</source>
+        <translation>Добавя точките в правоъгълник към избора</translation>
+    </message>
+    <message>
+        <source>Take the points in a rectangle out of the selection</source>
+        <translation>Изключва точките в правоъгълник от избора</translation>
+    </message>
+    <message>
+        <source>Move along an axis</source>
+        <translation>Премества успоредно на ос</translation>
+    </message>
+    <message>
+        <source>Move without snapping</source>
+        <translation>Премества без прилепване</translation>
+    </message>
+    <message>
+        <source>Move the selection by ten steps</source>
+        <translation>Премества избраното с десет стъпки</translation>
+    </message>
+    <message>
+        <source>Move the selection by a pixel</source>
+        <translation>Премества избраното с един пиксел</translation>
     </message>
 </context>
 <context>
@@ -1514,7 +1514,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
     <message>
         <source>Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Ръководство</translation>
     </message>
 </context>
 <context>
@@ -1917,7 +1917,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <name>kriva::ui::GuidePanel</name>
     <message>
         <source>Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Ръководство</translation>
     </message>
 </context>
 <context>
@@ -2084,19 +2084,19 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <name>kriva::ui::ShortcutsDialog</name>
     <message>
         <source>Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Клавишни комбинации</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Търсене</translation>
     </message>
     <message>
         <source>What it does</source>
-        <translation type="unfinished"></translation>
+        <translation>Действие</translation>
     </message>
     <message>
         <source>Keys and mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Клавиши и мишка</translation>
     </message>
 </context>
 <context>

@@ -181,11 +181,11 @@
     </message>
     <message>
         <source>User &amp;guide</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Uporabniški priročnik</translation>
     </message>
     <message>
         <source>&amp;Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bližnjice</translation>
     </message>
 </context>
 <context>
@@ -665,39 +665,39 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <name>Examples</name>
     <message>
         <source>The polygon of degree 100 lies all but on the curve. Lower the degree with Page Down and watch the gap grow like 1/N.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poligon stopnje 100 leži skoraj na krivulji. Znižujte stopnjo s Page Down in opazujte, kako razmik raste kot 1/N.</translation>
     </message>
     <message>
         <source>Three rows of midpoints lead to the point (7/2, 3/2) of the curve. Move t: the last segment of the scheme stays tangent to the curve.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Each row of the scheme has a parameter of its own. Change one argument: the point leaves the curve. Make all equal: it lies on the curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tri vrste razpolovišč vodijo do točke (7/2, 3/2) na krivulji. Premikajte t: zadnja daljica sheme se krivulje ves čas dotika.</translation>
     </message>
     <message>
         <source>One polygon, whose inner points count once, twice and three times: the more often a point counts, the closer it draws the arc to itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>En poligon, katerega notranji točki štejeta enkrat, dvakrat in trikrat: večja ko je večkratnost, bolj točka pritegne lok k sebi.</translation>
     </message>
     <message>
         <source>A closed chain of six cubics that crosses itself three times. Results names the segments and parameters of every crossing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sklenjena veriga šestih kubičnih krivulj, ki trikrat seka samo sebe. V Rezultatih so odseki in parametri vsakega presečišča.</translation>
     </message>
     <message>
         <source>The two arrows are the derivatives at the ends. Drag one: the whole chain follows, and every knot stays C2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Puščici sta odvoda v krajiščih. Povlecite eno: sledi ji cela veriga, vsak vozel pa ostane C2.</translation>
     </message>
     <message>
         <source>On equally spaced points the interpolation of degree 10 swings out near the ends; the approximation of degree 6 does so far less.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na enakomerno razporejenih točkah interpolacija stopnje 10 ob krajiščih močno zaniha; aproksimacija stopnje 6 mnogo manj.</translation>
     </message>
     <message>
         <source>The points turn back in x four times: five monotone runs, each a polynomial y(x), joined by Bézier curves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Točke se v smeri x štirikrat obrnejo: pet monotonih odsekov, vsak je polinom y(x), stikajo pa jih Bézierove krivulje.</translation>
     </message>
     <message>
         <source>Two curves of pairs pass through every point. Drag a middle point: only its own pair changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dve krivulji iz parov gresta skozi vse točke. Povlecite vmesno točko: spremeni se samo njen par.</translation>
+    </message>
+    <message>
+        <source>Each row of the scheme has a parameter of its own, and so the point lies off the curve. Make the three arguments equal: it falls on it.</source>
+        <translation>Vsaka vrstica sheme ima svoj parameter, zato točka ne leži na krivulji. Izenačite vse tri argumente: točka pade nanjo.</translation>
     </message>
 </context>
 <context>
@@ -719,315 +719,315 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <name>Gestures</name>
     <message>
         <source>Tabs</source>
-        <translation type="unfinished"></translation>
+        <translation>Zavihki</translation>
     </message>
     <message>
         <source>Show a tab</source>
-        <translation type="unfinished"></translation>
+        <translation>Pokaže zavihek</translation>
     </message>
     <message>
         <source>Alt+1 … Alt+4</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+1 … Alt+4</translation>
     </message>
     <message>
         <source>Next tab</source>
-        <translation type="unfinished"></translation>
+        <translation>Naslednji zavihek</translation>
     </message>
     <message>
         <source>Points, with the mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Točke, z miško</translation>
     </message>
     <message>
         <source>Select a point, or make a curve the active one</source>
-        <translation type="unfinished"></translation>
+        <translation>Izbere točko ali naredi krivuljo dejavno</translation>
     </message>
     <message>
         <source>Click</source>
-        <translation type="unfinished"></translation>
+        <translation>Klik</translation>
     </message>
     <message>
         <source>Select or deselect one more point</source>
-        <translation type="unfinished"></translation>
+        <translation>Izbere še eno točko ali jo izvzame iz izbora</translation>
     </message>
     <message>
         <source>Shift+click</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+klik</translation>
     </message>
     <message>
         <source>Select all points in a rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Izbere vse točke v pravokotniku</translation>
     </message>
     <message>
         <source>Drag on the empty canvas</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>… more points</source>
-        <translation type="unfinished"></translation>
+        <translation>Vlečenje po praznem platnu</translation>
     </message>
     <message>
         <source>Shift+drag</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>… fewer points</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+vlečenje</translation>
     </message>
     <message>
         <source>Alt+drag or Ctrl+Shift+drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+vlečenje ali Ctrl+Shift+vlečenje</translation>
     </message>
     <message>
         <source>Add a point at the end of the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Doda točko na koncu krivulje</translation>
     </message>
     <message>
         <source>Alt+click, or double-click on the empty canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+klik ali dvojni klik na prazno platno</translation>
     </message>
     <message>
         <source>Insert a point and keep the shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Vstavi točko in ohrani obliko</translation>
     </message>
     <message>
         <source>Double-click or Ctrl+Alt+click on the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Dvojni klik ali Ctrl+Alt+klik na krivuljo</translation>
     </message>
     <message>
         <source>Remove a point and refit its neighbours</source>
-        <translation type="unfinished"></translation>
+        <translation>Odstrani točko in prilagodi sosednji</translation>
     </message>
     <message>
         <source>Alt+click on the point</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+klik na točko</translation>
     </message>
     <message>
         <source>Move a point or the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Premakne točko ali izbrano</translation>
     </message>
     <message>
         <source>Drag the point</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>… along an axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Vlečenje točke</translation>
     </message>
     <message>
         <source>Ctrl+drag</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>… without snapping</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+vlečenje</translation>
     </message>
     <message>
         <source>Shift, pressed during the drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift, pritisnjen med vlečenjem</translation>
     </message>
     <message>
         <source>Mould the curve</source>
-        <translation type="unfinished">Oblikovanje krivulje</translation>
+        <translation>Oblikuje krivuljo</translation>
     </message>
     <message>
         <source>Drag the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Vlečenje krivulje</translation>
     </message>
     <message>
         <source>What can be done here</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaj je tu mogoče storiti</translation>
     </message>
     <message>
         <source>Right-click</source>
-        <translation type="unfinished"></translation>
+        <translation>Desni klik</translation>
     </message>
     <message>
         <source>Add tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Orodje za dodajanje</translation>
     </message>
     <message>
         <source>Add a point, or insert one on the curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Doda točko ali jo vstavi v krivuljo</translation>
     </message>
     <message>
         <source>Pull the handles of the new knot</source>
-        <translation type="unfinished"></translation>
+        <translation>Izvleče ročici novega vozla</translation>
     </message>
     <message>
         <source>Press and drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Pritisk in vlečenje</translation>
     </message>
     <message>
         <source>Close the curve</source>
-        <translation type="unfinished">Zaprtje krivulje</translation>
+        <translation>Sklene krivuljo</translation>
     </message>
     <message>
         <source>Click on the first knot</source>
-        <translation type="unfinished"></translation>
+        <translation>Klik na prvi vozel</translation>
     </message>
     <message>
         <source>End</source>
-        <translation type="unfinished">Konec</translation>
+        <translation>Konec</translation>
     </message>
     <message>
         <source>Enter or Esc</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter ali Esc</translation>
     </message>
     <message>
         <source>Handles and end derivatives</source>
-        <translation type="unfinished"></translation>
+        <translation>Ročice in odvoda v krajiščih</translation>
     </message>
     <message>
         <source>Turn in steps of 15°</source>
-        <translation type="unfinished"></translation>
+        <translation>Vrti v korakih po 15°</translation>
     </message>
     <message>
         <source>Keep the angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohrani kot</translation>
     </message>
     <message>
         <source>Ctrl+Alt+drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Alt+vlečenje</translation>
     </message>
     <message>
         <source>Leave the other handle where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Pusti drugo ročico na mestu</translation>
     </message>
     <message>
         <source>Alt, pressed during the drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt, pritisnjen med vlečenjem</translation>
     </message>
     <message>
         <source>Carry the knot along</source>
-        <translation type="unfinished"></translation>
+        <translation>Nese tudi vozel</translation>
     </message>
     <message>
         <source>Space, held during the drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Preslednica, pridržana med vlečenjem</translation>
     </message>
     <message>
         <source>Retract the handle</source>
-        <translation type="unfinished"></translation>
+        <translation>Skrči ročico</translation>
     </message>
     <message>
         <source>Ctrl+click</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+klik</translation>
     </message>
     <message>
         <source>Keys on the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipke na platnu</translation>
     </message>
     <message>
         <source>Edit tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Orodje za urejanje</translation>
     </message>
     <message>
         <source>Fit the selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Pokaže izbrano</translation>
     </message>
     <message>
         <source>Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Mreža</translation>
     </message>
     <message>
         <source>Next point</source>
-        <translation type="unfinished"></translation>
+        <translation>Naslednja točka</translation>
     </message>
     <message>
         <source>Previous point</source>
-        <translation type="unfinished"></translation>
+        <translation>Prejšnja točka</translation>
     </message>
     <message>
         <source>Move the selection by a step of the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Premakne izbrano za korak mreže</translation>
     </message>
     <message>
         <source>Arrow keys</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>… by ten steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Smerne tipke</translation>
     </message>
     <message>
         <source>Shift+arrow keys</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>… by a pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+smerne tipke</translation>
     </message>
     <message>
         <source>Alt+arrow keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+smerne tipke</translation>
     </message>
     <message>
         <source>Remove the selection and refit its neighbours</source>
-        <translation type="unfinished"></translation>
+        <translation>Odstrani izbrano in prilagodi sosednje točke</translation>
     </message>
     <message>
         <source>Delete or Backspace</source>
-        <translation type="unfinished"></translation>
+        <translation>Delete ali Backspace</translation>
     </message>
     <message>
         <source>Remove the selection without refitting</source>
-        <translation type="unfinished"></translation>
+        <translation>Odstrani izbrano brez prilagajanja</translation>
     </message>
     <message>
         <source>Take back the drag, end the tool, deselect, leave the canvas</source>
-        <translation type="unfinished"></translation>
+        <translation>Prekliče vlečenje, konča orodje, počisti izbor, zapusti platno</translation>
     </message>
     <message>
         <source>View, with the mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Pogled, z miško</translation>
     </message>
     <message>
         <source>Scroll</source>
-        <translation type="unfinished"></translation>
+        <translation>Drsi</translation>
     </message>
     <message>
         <source>Wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolesce</translation>
     </message>
     <message>
         <source>Scroll sideways</source>
-        <translation type="unfinished"></translation>
+        <translation>Drsi vstran</translation>
     </message>
     <message>
         <source>Shift+wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+kolesce</translation>
     </message>
     <message>
         <source>Zoom at the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Spremeni merilo pri kazalcu</translation>
     </message>
     <message>
         <source>Ctrl+wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+kolesce</translation>
     </message>
     <message>
         <source>Move the sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Premakne list</translation>
     </message>
     <message>
         <source>Drag with the middle button or with Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Vlečenje s srednjim gumbom ali s preslednico</translation>
     </message>
     <message>
         <source>Player</source>
-        <translation type="unfinished"></translation>
+        <translation>Animacija</translation>
     </message>
     <message>
         <source>Play or pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Predvajaj ali premor</translation>
     </message>
     <message>
         <source>One step back or forth</source>
-        <translation type="unfinished"></translation>
+        <translation>Eno stopnjo nazaj ali naprej</translation>
     </message>
     <message>
         <source>Left, Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Leva, desna smerna tipka</translation>
+    </message>
+    <message>
+        <source>Add the points in a rectangle to the selection</source>
+        <translation>Doda točke v pravokotniku k izboru</translation>
+    </message>
+    <message>
+        <source>Take the points in a rectangle out of the selection</source>
+        <translation>Izvzame točke v pravokotniku iz izbora</translation>
+    </message>
+    <message>
+        <source>Move along an axis</source>
+        <translation>Premakne vzdolž osi</translation>
+    </message>
+    <message>
+        <source>Move without snapping</source>
+        <translation>Premakne brez pripenjanja</translation>
+    </message>
+    <message>
+        <source>Move the selection by ten steps</source>
+        <translation>Premakne izbrano za deset korakov</translation>
+    </message>
+    <message>
+        <source>Move the selection by a pixel</source>
+        <translation>Premakne izbrano za piko</translation>
     </message>
 </context>
 <context>
@@ -1516,7 +1516,7 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
     <message>
         <source>Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Priročnik</translation>
     </message>
 </context>
 <context>
@@ -1919,7 +1919,7 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <name>kriva::ui::GuidePanel</name>
     <message>
         <source>Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Priročnik</translation>
     </message>
 </context>
 <context>
@@ -2086,19 +2086,19 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <name>kriva::ui::ShortcutsDialog</name>
     <message>
         <source>Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Bližnjice</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Iskanje</translation>
     </message>
     <message>
         <source>What it does</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaj naredi</translation>
     </message>
     <message>
         <source>Keys and mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipke in miška</translation>
     </message>
 </context>
 <context>

@@ -18,8 +18,8 @@ const std::vector<Example>& examples() {
          QT_TRANSLATE_NOOP("Examples", "Three rows of midpoints lead to the point (7/2, 3/2) of the curve. Move t: the "
                                        "last segment of the scheme stays tangent to the curve.")},
         {":/examples/blossom.kriva", QT_TRANSLATE_NOOP("Menus", "The blossom b[t₁, t₂, t₃]"),
-         QT_TRANSLATE_NOOP("Examples", "Each row of the scheme has a parameter of its own. Change one argument: the "
-                                       "point leaves the curve. Make all equal: it lies on the curve.")},
+         QT_TRANSLATE_NOOP("Examples", "Each row of the scheme has a parameter of its own, and so the point lies off "
+                                       "the curve. Make the three arguments equal: it falls on it.")},
         {":/examples/multiple-points.kriva", QT_TRANSLATE_NOOP("Menus", "An arc with double and triple points"),
          QT_TRANSLATE_NOOP("Examples", "One polygon, whose inner points count once, twice and three times: the more "
                                        "often a point counts, the closer it draws the arc to itself.")},

@@ -10,11 +10,11 @@
 namespace kriva::ui {
 namespace {
 
-/// The text of a menu without its mnemonic.
+/// The text of a menu without its mnemonic, and without the step that Undo and Redo name.
 [[nodiscard]] QString plain(QString text) {
     for (qsizetype at = 0; (at = text.indexOf(QLatin1Char('&'), at)) >= 0; ++at)
         text.remove(at, 1);
-    return text;
+    return text.section(QLatin1Char(':'), 0, 0);
 }
 
 [[nodiscard]] QString keysOf(const QAction& action) {
