@@ -93,13 +93,14 @@ void SheetPanels::reset() {
 
 void SheetPanels::show(const char* name) {
     make();
-    for (const Panel& panel : panels_) {
-        if (panel.dock->objectName() != QLatin1String(name))
-            continue;
-        panel.dock->show();
-        panel.dock->raise();
-        panel.dock->widget()->setFocus();
-    }
+    QDockWidget* dock = dockOf(name);
+    dock->show();
+    dock->raise();
+    dock->widget()->setFocus();
+}
+
+QDockWidget* SheetPanels::dockOf(const char* name) const {
+    return tab_.findChild<QDockWidget*>(QString::fromLatin1(name));
 }
 
 void SheetPanels::beginRenaming() {
@@ -109,13 +110,16 @@ void SheetPanels::beginRenaming() {
 
 void SheetPanels::showGuide() {
     show("guide");
-    auto* dock = static_cast<QDockWidget*>(guide_->parentWidget());
+    QDockWidget* dock = dockOf("guide");
     if (dock->isFloating())
         return;
     // Who asks for it wants to read: it takes the room for that where it has less.
     const int width = std::min(kGuideWidth, tab_.width() * 2 / 5);
-    tab_.resizeDocks({dock}, {std::max(dock->width(), width)}, Qt::Horizontal);
-    tab_.resizeDocks({dock}, {std::max(dock->height(), tab_.height() * 2 / 3)}, Qt::Vertical);
+    const int height = tab_.height() * 2 / 3;
+    if (dock->width() < width)
+        tab_.resizeDocks({dock}, {width}, Qt::Horizontal);
+    if (dock->height() < height)
+        tab_.resizeDocks({dockOf("properties"), dock}, {tab_.height() - height, height}, Qt::Vertical);
 }
 
 void SheetPanels::setExample(const Example* example) {

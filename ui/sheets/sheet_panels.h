@@ -43,6 +43,7 @@ class SheetPanels {
         const char* title; ///< marked with QT_TRANSLATE_NOOP("SheetPanels", ...)
     };
     void fill();
+    [[nodiscard]] QDockWidget* dockOf(const char* name) const;
     void add(const char* name, const char* title, QWidget* widget, Qt::DockWidgetArea area);
 
     QMainWindow& tab_;

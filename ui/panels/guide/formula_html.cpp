@@ -95,13 +95,13 @@ class Reader {
         const QString b = inner(arguments.sliced(bar + 1));
         if (isDisplay_)
             return u"</td><td>%1</td><td>"_s.arg(display(name, a, b));
-        if (name == u"sum")
-            return u"Σ"_s;
+        if (name == u"sum" || name == u"int")
+            return name == u"sum" ? u"Σ"_s : u"∫"_s;
         return name == u"binom" ? u"(%1 | %2)"_s.arg(a, b) : u"%1/%2"_s.arg(a, b);
     }
     [[nodiscard]] static QString display(const QString& name, const QString& a, const QString& b) {
-        if (name == u"sum")
-            return pile({b, u"Σ"_s, a}, QLatin1StringView("sum"));
+        if (name == u"sum" || name == u"int")
+            return pile({b, name == u"sum" ? u"Σ"_s : u"∫"_s, a}, QLatin1StringView("sum"));
         if (name == u"binom")
             return u"<table cellspacing=\"0\" cellpadding=\"0\"><tr><td class=\"brace\">(</td><td>%1</td>"
                    "<td class=\"brace\">)</td></tr></table>"_s.arg(pile({a, b}, QLatin1StringView("binom")));

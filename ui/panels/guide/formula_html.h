@@ -9,7 +9,7 @@ namespace kriva::ui {
 /// A letter is a variable, `_` and `^` lower and raise the next sign or group in braces, `-` is a minus, `'` a prime,
 /// `~` a wide space;
 /// `\max` is the name of a function, `\frac{a|b}` a fraction, `\binom{n|k}` a binomial coefficient, `\sum{a|b}` a sum
-/// from a to b. Within a line fractions have a slash and sums no bounds.
+/// and `\int{a|b}` an integral from a to b. Within a line fractions have a slash, sums and integrals no bounds.
 [[nodiscard]] QString withFormulas(const QString& page);
 
 } // namespace kriva::ui

@@ -2,12 +2,18 @@
 
 #include <QDialogButtonBox>
 #include <QEvent>
-#include <QHeaderView>
 #include <QLineEdit>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
 namespace kriva::ui {
+namespace {
+
+constexpr int kPadding = 5;       // px: rows of a table that is read across
+constexpr int kTitlePadding = 12; // px: and room before the next group
+constexpr int kGap = 16;          // px between the columns
+
+} // namespace
 
 ShortcutsDialog::ShortcutsDialog(Sheet sheet, QWidget* parent)
     : QDialog(parent)
@@ -21,7 +27,6 @@ ShortcutsDialog::ShortcutsDialog(Sheet sheet, QWidget* parent)
     list_->setRootIsDecorated(false);
     list_->setItemsExpandable(false);
     list_->setAlternatingRowColors(true);
-    list_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(filter_);
     layout->addWidget(list_);
@@ -56,10 +61,13 @@ void ShortcutsDialog::fill() {
         QFont font = list_->font();
         font.setBold(true);
         title->setFont(0, font);
+        title->setSizeHint(0, {0, fontMetrics().height() + kTitlePadding});
         for (const ShortcutGroup::Row& row : group.rows)
-            new QTreeWidgetItem(title, {row.what, row.keys});
+            (new QTreeWidgetItem(title, {row.what, row.keys}))->setSizeHint(1, {0, fontMetrics().height() + kPadding});
     }
     list_->expandAll();
+    list_->resizeColumnToContents(0);
+    list_->setColumnWidth(0, list_->columnWidth(0) + kGap);
     narrow();
 }
 

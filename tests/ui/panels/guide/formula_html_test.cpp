@@ -24,6 +24,7 @@ TEST(FormulaHtml, setsVariablesInItalicsAndLowersAndRaises) {
 TEST(FormulaHtml, writesFractionsOfALineWithASlash) {
     EXPECT_EQ(html("$\\frac{1|2}$"), "<span class=\"math\">1/2</span>");
     EXPECT_EQ(html("$\\sum{i|n} i$"), "<span class=\"math\">Σ <i>i</i></span>");
+    EXPECT_EQ(html("$\\int{0|1}$"), "<span class=\"math\">∫</span>");
 }
 
 TEST(FormulaHtml, pilesUpFractionsAndSumsOnALineOfTheirOwn) {
