@@ -14,7 +14,6 @@
 
 #include <QCloseEvent>
 #include <QCoreApplication>
-#include <QMessageBox>
 #include <QShortcut>
 
 namespace kriva::ui {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <QLabel>
+#include <QStatusBar>
 
 namespace kriva::ui {
 namespace {
@@ -52,30 +53,29 @@ TEST_P(ExamplesTest, openEachFromTheMenuAndSayWhatToLookAt) {
         EXPECT_EQ(shown, exampleDocument(QString::fromLatin1(example.resource)));
         EXPECT_FALSE(shell.window.isWindowModified());
         EXPECT_TRUE(isInStatusRow(line)) << line.toStdString();
-        EXPECT_TRUE(guide().startsWith(QCoreApplication::translate("Menus", example.name) + QLatin1Char('\n')) ||
-                    guide().contains(line))
-            << guide().left(300).toStdString();
-        EXPECT_TRUE(guide().simplified().contains(line)) << line.toStdString();
+        EXPECT_TRUE(
+            guide().startsWith(QCoreApplication::translate("Menus", example.name) + QChar::LineSeparator + line))
+            << guide().left(200).toStdString();
     }
 }
 
 TEST_P(ExamplesTest, takeTheirLineAlongWhenAnotherDocumentComes) {
     const Example& example = examples()[1];
     entry(example)->trigger();
-    EXPECT_TRUE(guide().simplified().contains(translated(example)));
+    EXPECT_TRUE(guide().contains(translated(example)));
     shell.window.session().newDocument();
     test::settle();
-    EXPECT_FALSE(guide().simplified().contains(translated(example)));
+    EXPECT_FALSE(guide().contains(translated(example)));
 }
 
 TEST_P(ExamplesTest, sayItInTheLanguageThatIsChosenLater) {
     const Example& example = examples()[8];
     entry(example)->trigger();
-    ASSERT_TRUE(guide().simplified().contains(translated(example)));
+    ASSERT_TRUE(guide().contains(translated(example)));
     shell.language.setLanguage(GetParam() == Language::Ukrainian ? Language::Bulgarian : Language::Ukrainian);
     QApplication::sendPostedEvents();
     test::settle();
-    EXPECT_TRUE(guide().simplified().contains(translated(example)));
+    EXPECT_TRUE(guide().contains(translated(example)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, ExamplesTest, testing::ValuesIn(kLanguages),

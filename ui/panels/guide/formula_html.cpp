@@ -22,12 +22,13 @@ namespace {
     return table + u"</table>"_s;
 }
 
-/// Reads a formula once from left to right.
+/// Reads a formula once from left to right. With piles it becomes cells of a row, which is the only way to put one
+/// thing above another; else it is text, which can go on in the next line.
 class Reader {
   public:
-    Reader(QStringView formula, bool isDisplay)
+    Reader(QStringView formula, bool hasPiles)
         : rest_(formula)
-        , isDisplay_(isDisplay) {}
+        , hasPiles_(hasPiles) {}
 
     [[nodiscard]] QString html() {
         QString text;
@@ -67,7 +68,7 @@ class Reader {
             return u"/\u2060"_s; // no line ends behind it
         if (c == u'~')
             return u"&emsp;"_s;
-        if (c == u' ' && isDisplay_) // cells would lose it at their ends
+        if (c == u' ' && hasPiles_) // at the ends of cells it would be lost
             return u"&nbsp;"_s;
         return isLatin(c) ? u"<i>%1</i>"_s.arg(c) : QString(c);
     }
@@ -93,13 +94,13 @@ class Reader {
         const qsizetype bar = arguments.indexOf(u'|');
         const QString a = inner(arguments.first(std::max<qsizetype>(bar, 0)));
         const QString b = inner(arguments.sliced(bar + 1));
-        if (isDisplay_)
-            return u"</td><td>%1</td><td>"_s.arg(display(name, a, b));
+        if (hasPiles_)
+            return u"</td><td>%1</td><td>"_s.arg(piled(name, a, b));
         if (name == u"sum" || name == u"int")
             return name == u"sum" ? u"Σ"_s : u"∫"_s;
         return name == u"binom" ? u"(%1 | %2)"_s.arg(a, b) : u"%1/%2"_s.arg(a, b);
     }
-    [[nodiscard]] static QString display(const QString& name, const QString& a, const QString& b) {
+    [[nodiscard]] static QString piled(const QString& name, const QString& a, const QString& b) {
         if (name == u"sum" || name == u"int")
             return pile({b, name == u"sum" ? u"Σ"_s : u"∫"_s, a}, QLatin1StringView("sum"));
         if (name == u"binom")
@@ -109,8 +110,17 @@ class Reader {
     }
 
     QStringView rest_;
-    bool isDisplay_;
+    bool hasPiles_;
 };
+
+/// A formula on a line of its own.
+[[nodiscard]] QString display(QStringView formula) {
+    static const QRegularExpression pile(u"\\\\[a-z]+\\{"_s);
+    if (!pile.match(formula).hasMatch())
+        return u"<p class=\"formula\" align=\"center\">%1</p>"_s.arg(Reader(formula, false).html());
+    return u"<table class=\"formula\" align=\"center\" cellspacing=\"0\" cellpadding=\"0\"><tr><td>%1</td></tr></table>"_s
+        .arg(Reader(formula, true).html());
+}
 
 } // namespace
 
@@ -121,12 +131,9 @@ QString withFormulas(const QString& page) {
     for (auto matches = formula.globalMatch(page); matches.hasNext();) {
         const QRegularExpressionMatch match = matches.next();
         html += QStringView(page).sliced(from, match.capturedStart() - from);
-        if (match.hasCaptured(2))
-            html += u"<span class=\"math\">%1</span>"_s.arg(Reader(match.capturedView(2), false).html());
-        else
-            html +=
-                u"<table class=\"formula\" align=\"center\" cellspacing=\"0\" cellpadding=\"0\"><tr><td>%1</td></tr></table>"_s
-                    .arg(Reader(match.capturedView(1).trimmed(), true).html());
+        html += match.hasCaptured(2)
+                    ? u"<span class=\"math\">%1</span>"_s.arg(Reader(match.capturedView(2), false).html())
+                    : display(match.capturedView(1).trimmed());
         from = match.capturedEnd();
     }
     html += QStringView(page).sliced(from);

@@ -44,6 +44,8 @@ GuidePanel::GuidePanel(const QString& sheet, QWidget* parent)
 }
 
 void GuidePanel::setExample(const Example* example) {
+    if (example_ == example)
+        return;
     example_ = example;
     invalidate();
     verticalScrollBar()->setValue(0);
@@ -57,10 +59,10 @@ void GuidePanel::changeEvent(QEvent* event) {
     QTextBrowser::changeEvent(event);
 }
 
-void GuidePanel::showEvent(QShowEvent* event) {
-    QTextBrowser::showEvent(event);
+void GuidePanel::paintEvent(QPaintEvent* event) {
+    QTextBrowser::paintEvent(event);
     if (isStale_)
-        write();
+        QTimer::singleShot(0, this, &GuidePanel::write);
 }
 
 void GuidePanel::resizeEvent(QResizeEvent* event) {
@@ -76,15 +78,14 @@ void GuidePanel::retranslateUi() {
 
 void GuidePanel::invalidate() {
     isStale_ = true;
-    if (isVisible()) // once for all that changes in a turn of the event loop
-        QTimer::singleShot(0, this, [this] {
-            if (isStale_ && isVisible())
-                write();
-        });
+    viewport()->update();
 }
 
 void GuidePanel::write() {
+    if (!isStale_)
+        return;
     isStale_ = false;
+    pictures_.clear();
     writtenWidth_ = pictureWidth();
     const int length = verticalScrollBar()->maximum();
     const double place = length > 0 ? static_cast<double>(verticalScrollBar()->value()) / length : 0;
@@ -126,7 +127,7 @@ QString GuidePanel::styleSheetOfPage() const {
         .lead { color: %3; }
         .caption { color: %3; font-size: %8pt; margin-top: 0px; margin-bottom: 10px; }
         .math { font-family: '%5'; font-size: %12pt; }
-        .formula td { font-family: '%5'; font-size: %9pt; }
+        .formula td, p.formula { font-family: '%5'; font-size: %9pt; }
         .formula { margin-top: 6px; margin-bottom: 6px; }
         .formula td { white-space: nowrap; vertical-align: middle; padding-left: 1px; padding-right: 1px; }
         .frac-0 { border-bottom-width: 1px; border-bottom-style: solid; border-bottom-color: %2; }
@@ -135,7 +136,7 @@ QString GuidePanel::styleSheetOfPage() const {
         td.brace { font-size: %11pt; }
         .note { background-color: %4; margin-bottom: 8px; }
         .table { border-collapse: collapse; border-width: 1px; border-style: solid; border-color: %3; }
-        .table td, .table th { padding: 3px 8px 3px 8px; }
+        .table td, .table th { padding: 3px 6px 3px 6px; }
     )"_s.arg(accent, ink, pale, card, labelFonts(1).text.family())
         .arg(1.7 * size)
         .arg(1.2 * size)
@@ -151,10 +152,16 @@ int GuidePanel::pictureWidth() const {
 }
 
 QVariant GuidePanel::loadResource(int type, const QUrl& name) {
+    // Where this gives nothing at all the document would look for a file of that name.
     if (type != QTextDocument::ImageResource || name.scheme() != u"figure")
-        return {};
-    const Theme theme = isDark(palette()) ? Theme::dark : Theme::light;
-    return guideFigure(name.path(), {writtenWidth_, devicePixelRatioF(), theme});
+        return QImage();
+    // The document asks at every layout and at every painting.
+    auto picture = pictures_.constFind(name.path());
+    if (picture == pictures_.constEnd()) {
+        const Theme theme = isDark(palette()) ? Theme::dark : Theme::light;
+        picture = pictures_.insert(name.path(), guideFigure(name.path(), {writtenWidth_, devicePixelRatioF(), theme}));
+    }
+    return *picture;
 }
 
 } // namespace kriva::ui

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QHash>
+#include <QImage>
 #include <QTextBrowser>
 
 namespace kriva::ui {
@@ -20,12 +22,12 @@ class GuidePanel : public QTextBrowser {
     QVariant loadResource(int type, const QUrl& name) override;
     void doSetSource(const QUrl&, QTextDocument::ResourceType) override {} // a link leads nowhere but down the page
     void changeEvent(QEvent* event) override;
-    void showEvent(QShowEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
   private:
     void retranslateUi();
-    /// The page is written when it is seen, as most of the time it is not.
+    /// The page is written anew when it is seen: most of the time another panel lies over it.
     void invalidate();
     void write();
     [[nodiscard]] QString source() const;
@@ -36,7 +38,8 @@ class GuidePanel : public QTextBrowser {
     QString sheet_;
     const Example* example_ = nullptr;
     bool isStale_ = true;
-    int writtenWidth_ = 0; ///< of the pictures
+    int writtenWidth_ = 0;            ///< of the pictures
+    QHash<QString, QImage> pictures_; ///< of the page as it is written
 };
 
 } // namespace kriva::ui

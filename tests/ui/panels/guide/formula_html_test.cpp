@@ -37,6 +37,12 @@ TEST(FormulaHtml, pilesUpFractionsAndSumsOnALineOfTheirOwn) {
     EXPECT_NE(sum.find("class=\"sum-2\"><i>i</i>"), std::string::npos) << sum;
 }
 
+TEST(FormulaHtml, letsALongFormulaGoOnInTheNextLineWhereNothingIsPiledUp) {
+    EXPECT_EQ(html("$$a = b$$"), "<p class=\"formula\" align=\"center\"><i>a</i> = <i>b</i></p>");
+    EXPECT_EQ(html("$$\\min x$$"), "<p class=\"formula\" align=\"center\">min <i>x</i></p>");
+    EXPECT_NE(html("$$a = \\frac{1|2}$$").find("<i>a</i>&nbsp;=&nbsp;</td><td>"), std::string::npos);
+}
+
 TEST(FormulaHtml, keepsTheCoordinatesOfAPointTogether) {
     EXPECT_EQ(html("(7/2, 3/2), (0, 1)"), "(7/2,&nbsp;3/2), (0,&nbsp;1)");
 }

@@ -8,6 +8,7 @@
 #include "ui/shell/language/language.h"
 
 #include <gtest/gtest.h>
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QRegularExpression>
@@ -74,6 +75,40 @@ TEST_P(GuidePages, sayTheSameInEveryLanguage) {
     // Words stand in another order now and then, and with them what they speak of.
     EXPECT_EQ(formulasOfLines(text), formulasOfLines(english));
     EXPECT_EQ(sorted(found(text, kPair)), sorted(found(english, kPair)));
+}
+
+TEST_P(GuidePages, nameThingsAsTheProgramDoes) {
+    struct Name {
+        const char* context;
+        const char* source;
+    };
+    static const std::array<std::vector<Name>, kSheetCount> names{{
+        {{"Properties", "Degree"}, {"kriva::ui::Player", "Keep this stage"}, {"Menus", "A cubic raised 97 times"}},
+        {{"Properties", "Parameter t"},
+         {"Properties", "Levels"},
+         {"Properties", "Runs over"},
+         {"PointColumn", "Multiplicity"},
+         {"kriva::ui::SubdivisionProperties", "Show the curve"},
+         {"kriva::ui::SubdivisionProperties", "Show the blossom"},
+         {"kriva::ui::Player", "Keep this stage"},
+         {"Actions", "Delete &last point"},
+         {"Actions", "&Clear the canvas"},
+         {"Caption", "Curves of degree n − 1"},
+         {"Menus", "De Casteljau at t = 1/2"}},
+        {{"Menus", "A chain with three self-intersections"}},
+        {{"Properties", "Basis"},
+         {"kriva::ui::CombinedProperties", "Back to automatic"},
+         {"Menus", "A curve with five monotone runs"},
+         {"Menus", "Use these &points in"}},
+    }};
+    const LanguageSwitch language(std::get<0>(GetParam()));
+    const QString words = text.simplified(); // a line may end in a name
+    for (const Name& name : names[std::get<1>(GetParam())]) {
+        const QString shown =
+            QCoreApplication::translate(name.context, name.source).remove(QLatin1Char('&')).simplified();
+        EXPECT_TRUE(words.contains(shown)) << shown.toStdString();
+    }
+    EXPECT_TRUE(words.contains(QCoreApplication::translate("Menus", "Exa&mples").remove(QLatin1Char('&'))));
 }
 
 TEST_P(GuidePages, leaveNoFormulaUnread) {
