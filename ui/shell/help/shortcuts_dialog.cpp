@@ -31,7 +31,7 @@ ShortcutsDialog::ShortcutsDialog(Sheet sheet, QWidget* parent)
     layout->addWidget(filter_);
     layout->addWidget(list_);
     layout->addWidget(buttons_);
-    resize(720, 640);
+    resize(860, 680);
     connect(filter_, &QLineEdit::textChanged, this, &ShortcutsDialog::narrow);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::close);
     retranslateUi();
