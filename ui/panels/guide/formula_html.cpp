@@ -68,7 +68,7 @@ class Reader {
             return u"/\u2060"_s; // no line ends behind it
         if (c == u'~')
             return u"&nbsp;&nbsp;&nbsp;"_s; // Qt takes wider blanks for one of many
-        if (c == u' ' && hasPiles_) // at the ends of cells it would be lost
+        if (c == u' ' && hasPiles_)         // at the ends of cells it would be lost
             return u"&nbsp;"_s;
         return isLatin(c) ? u"<i>%1</i>"_s.arg(c) : QString(c);
     }

@@ -91,6 +91,7 @@ void GuidePanel::write() {
     const double place = length > 0 ? static_cast<double>(verticalScrollBar()->value()) / length : 0;
     document()->setDefaultStyleSheet(styleSheetOfPage());
     setHtml(note() + withFormulas(source()));
+    (void)document()->size(); // lays out all of it, so that the end of the scroll bar is known
     verticalScrollBar()->setValue(qRound(place * verticalScrollBar()->maximum()));
 }
 
