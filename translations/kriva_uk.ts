@@ -181,7 +181,7 @@
     </message>
     <message>
         <source>User &amp;guide</source>
-        <translation>&amp;Посібник користувача</translation>
+        <translation>П&amp;осібник користувача</translation>
     </message>
     <message>
         <source>&amp;Shortcuts</source>

@@ -37,6 +37,7 @@ GuidePanel::GuidePanel(const QString& sheet, QWidget* parent)
     setObjectName(QStringLiteral("guide"));
     setFrameShape(QFrame::NoFrame);
     setOpenLinks(false);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // or pages would be laid out twice, without it and with it
     document()->setDocumentMargin(kMargin);
     document()->setIndentWidth(kIndent);
     connect(this, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) { scrollToAnchor(link.fragment()); });
