@@ -92,7 +92,8 @@ void GuidePanel::write() {
     const double place = length > 0 ? static_cast<double>(verticalScrollBar()->value()) / length : 0;
     document()->setDefaultStyleSheet(styleSheetOfPage());
     setHtml(note() + withFormulas(source()));
-    (void)document()->size(); // lays out all of it, so that the end of the scroll bar is known
+    moveCursor(QTextCursor::End); // lays out all of it, so that the scroll bar knows its end
+    moveCursor(QTextCursor::Start);
     verticalScrollBar()->setValue(qRound(place * verticalScrollBar()->maximum()));
 }
 
