@@ -179,6 +179,14 @@
         <source>&amp;Insert a point</source>
         <translation>&amp;Вмъкване на точка</translation>
     </message>
+    <message>
+        <source>User &amp;guide</source>
+        <translation>&amp;Ръководство</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>&amp;Клавишни комбинации</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -752,6 +760,45 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>Examples</name>
+    <message>
+        <source>The polygon of degree 100 lies all but on the curve. Lower the degree with Page Down and watch the gap grow like 1/N.</source>
+        <translation>Полигонът от степен 100 почти съвпада с кривата. Понижавайте степента с Page Down и вижте как разстоянието расте като 1/N.</translation>
+    </message>
+    <message>
+        <source>Three rows of midpoints lead to the point (7/2, 3/2) of the curve. Move t: the last segment of the scheme stays tangent to the curve.</source>
+        <translation>Три реда от среди на отсечки водят до точката (7/2, 3/2) от кривата. Променяйте t: последната отсечка на схемата остава допирателна към кривата.</translation>
+    </message>
+    <message>
+        <source>Each row of the scheme has a parameter of its own, and so the point lies off the curve. Make the three arguments equal: it falls on it.</source>
+        <translation>Всеки ред на схемата има собствен параметър, затова точката не лежи върху кривата. Направете трите аргумента равни: тя пада върху нея.</translation>
+    </message>
+    <message>
+        <source>One polygon, whose inner points count once, twice and three times: the more often a point counts, the closer it draws the arc to itself.</source>
+        <translation>Един полигон, чиито вътрешни точки се броят веднъж, два пъти и три пъти: колкото по-голяма е кратността, толкова повече точката притегля дъгата.</translation>
+    </message>
+    <message>
+        <source>A closed chain of six cubics that crosses itself three times. Results names the segments and parameters of every crossing.</source>
+        <translation>Затворена верига от шест кубични криви, която се пресича сама три пъти. В Резултати са сегментите и параметрите на всяко пресичане.</translation>
+    </message>
+    <message>
+        <source>The two arrows are the derivatives at the ends. Drag one: the whole chain follows, and every knot stays C2.</source>
+        <translation>Двете стрелки са производните в краищата. Влачете една от тях: цялата верига я следва, а всеки възел остава C2.</translation>
+    </message>
+    <message>
+        <source>On equally spaced points the interpolation of degree 10 swings out near the ends; the approximation of degree 6 does so far less.</source>
+        <translation>В равноотдалечени точки интерполацията от степен 10 силно се люлее край краищата; апроксимацията от степен 6 – много по-малко.</translation>
+    </message>
+    <message>
+        <source>The points turn back in x four times: five monotone runs, each a polynomial y(x), joined by Bézier curves.</source>
+        <translation>Точките четири пъти обръщат посоката си по x: пет монотонни участъка, всеки полином y(x), съединени с криви на Безие.</translation>
+    </message>
+    <message>
+        <source>Two curves of pairs pass through every point. Drag a middle point: only its own pair changes.</source>
+        <translation>Две криви от двойки минават през всички точки. Влачете междинна точка: променя се само нейната двойка.</translation>
+    </message>
+</context>
+<context>
     <name>ExportFigure</name>
     <message>
         <source>Export figure</source>
@@ -764,6 +811,321 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>The figure was not written</source>
         <translation>Фигурата не беше записана</translation>
+    </message>
+</context>
+<context>
+    <name>Gestures</name>
+    <message>
+        <source>Tabs</source>
+        <translation>Раздели</translation>
+    </message>
+    <message>
+        <source>Show a tab</source>
+        <translation>Показва раздел</translation>
+    </message>
+    <message>
+        <source>Alt+1 … Alt+4</source>
+        <translation>Alt+1 … Alt+4</translation>
+    </message>
+    <message>
+        <source>Next tab</source>
+        <translation>Следващ раздел</translation>
+    </message>
+    <message>
+        <source>Points, with the mouse</source>
+        <translation>Точки, с мишката</translation>
+    </message>
+    <message>
+        <source>Select a point, or make a curve the active one</source>
+        <translation>Избира точка или прави крива активна</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Щракване</translation>
+    </message>
+    <message>
+        <source>Select or deselect one more point</source>
+        <translation>Избира още една точка или я изключва от избора</translation>
+    </message>
+    <message>
+        <source>Shift+click</source>
+        <translation>Shift+щракване</translation>
+    </message>
+    <message>
+        <source>Select all points in a rectangle</source>
+        <translation>Избира всички точки в правоъгълник</translation>
+    </message>
+    <message>
+        <source>Drag on the empty canvas</source>
+        <translation>Влачене по празно платно</translation>
+    </message>
+    <message>
+        <source>Add the points in a rectangle to the selection</source>
+        <translation>Добавя точките в правоъгълник към избора</translation>
+    </message>
+    <message>
+        <source>Shift+drag</source>
+        <translation>Shift+влачене</translation>
+    </message>
+    <message>
+        <source>Take the points in a rectangle out of the selection</source>
+        <translation>Изключва точките в правоъгълник от избора</translation>
+    </message>
+    <message>
+        <source>Alt+drag or Ctrl+Shift+drag</source>
+        <translation>Alt+влачене или Ctrl+Shift+влачене</translation>
+    </message>
+    <message>
+        <source>Add a point at the end of the curve</source>
+        <translation>Добавя точка в края на кривата</translation>
+    </message>
+    <message>
+        <source>Alt+click, or double-click on the empty canvas</source>
+        <translation>Alt+щракване или двойно щракване върху празно платно</translation>
+    </message>
+    <message>
+        <source>Insert a point and keep the shape</source>
+        <translation>Вмъква точка и запазва формата</translation>
+    </message>
+    <message>
+        <source>Double-click or Ctrl+Alt+click on the curve</source>
+        <translation>Двойно щракване или Ctrl+Alt+щракване върху кривата</translation>
+    </message>
+    <message>
+        <source>Remove a point and refit its neighbours</source>
+        <translation>Премахва точка и нагласява съседите ѝ</translation>
+    </message>
+    <message>
+        <source>Alt+click on the point</source>
+        <translation>Alt+щракване върху точката</translation>
+    </message>
+    <message>
+        <source>Move a point or the selection</source>
+        <translation>Премества точка или избраното</translation>
+    </message>
+    <message>
+        <source>Drag the point</source>
+        <translation>Влачене на точката</translation>
+    </message>
+    <message>
+        <source>Move along an axis</source>
+        <translation>Премества успоредно на ос</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag</source>
+        <translation>Ctrl+влачене</translation>
+    </message>
+    <message>
+        <source>Move without snapping</source>
+        <translation>Премества без прилепване</translation>
+    </message>
+    <message>
+        <source>Shift, pressed during the drag</source>
+        <translation>Shift, натиснат по време на влачене</translation>
+    </message>
+    <message>
+        <source>Mould the curve</source>
+        <translation>Извива кривата</translation>
+    </message>
+    <message>
+        <source>Drag the curve</source>
+        <translation>Влачене на кривата</translation>
+    </message>
+    <message>
+        <source>What can be done here</source>
+        <translation>Какво може да се направи тук</translation>
+    </message>
+    <message>
+        <source>Right-click</source>
+        <translation>Щракване с десния бутон</translation>
+    </message>
+    <message>
+        <source>Add tool</source>
+        <translation>Инструмент за добавяне</translation>
+    </message>
+    <message>
+        <source>Add a point, or insert one on the curve</source>
+        <translation>Добавя точка или я вмъква в кривата</translation>
+    </message>
+    <message>
+        <source>Pull the handles of the new knot</source>
+        <translation>Изтегля манипулаторите на новия възел</translation>
+    </message>
+    <message>
+        <source>Press and drag</source>
+        <translation>Натискане и влачене</translation>
+    </message>
+    <message>
+        <source>Close the curve</source>
+        <translation>Затваря кривата</translation>
+    </message>
+    <message>
+        <source>Click on the first knot</source>
+        <translation>Щракване върху първия възел</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Край</translation>
+    </message>
+    <message>
+        <source>Enter or Esc</source>
+        <translation>Enter или Esc</translation>
+    </message>
+    <message>
+        <source>Handles and end derivatives</source>
+        <translation>Манипулатори и производни в краищата</translation>
+    </message>
+    <message>
+        <source>Turn in steps of 15°</source>
+        <translation>Върти на стъпки от 15°</translation>
+    </message>
+    <message>
+        <source>Keep the angle</source>
+        <translation>Запазва ъгъла</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+drag</source>
+        <translation>Ctrl+Alt+влачене</translation>
+    </message>
+    <message>
+        <source>Leave the other handle where it is</source>
+        <translation>Оставя другия манипулатор на място</translation>
+    </message>
+    <message>
+        <source>Alt, pressed during the drag</source>
+        <translation>Alt, натиснат по време на влачене</translation>
+    </message>
+    <message>
+        <source>Carry the knot along</source>
+        <translation>Носи и възела</translation>
+    </message>
+    <message>
+        <source>Space, held during the drag</source>
+        <translation>Интервал, задържан по време на влачене</translation>
+    </message>
+    <message>
+        <source>Retract the handle</source>
+        <translation>Прибира манипулатора</translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation>Ctrl+щракване</translation>
+    </message>
+    <message>
+        <source>Keys on the canvas</source>
+        <translation>Клавиши върху платното</translation>
+    </message>
+    <message>
+        <source>Edit tool</source>
+        <translation>Инструмент за редактиране</translation>
+    </message>
+    <message>
+        <source>Fit the selection</source>
+        <translation>Избраното в изгледа</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Мрежа</translation>
+    </message>
+    <message>
+        <source>Next point</source>
+        <translation>Следваща точка</translation>
+    </message>
+    <message>
+        <source>Previous point</source>
+        <translation>Предишна точка</translation>
+    </message>
+    <message>
+        <source>Move the selection by a step of the grid</source>
+        <translation>Премества избраното с една стъпка на мрежата</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Стрелки</translation>
+    </message>
+    <message>
+        <source>Move the selection by ten steps</source>
+        <translation>Премества избраното с десет стъпки</translation>
+    </message>
+    <message>
+        <source>Shift+arrow keys</source>
+        <translation>Shift+стрелки</translation>
+    </message>
+    <message>
+        <source>Move the selection by a pixel</source>
+        <translation>Премества избраното с един пиксел</translation>
+    </message>
+    <message>
+        <source>Alt+arrow keys</source>
+        <translation>Alt+стрелки</translation>
+    </message>
+    <message>
+        <source>Remove the selection and refit its neighbours</source>
+        <translation>Премахва избраното и нагласява съседните точки</translation>
+    </message>
+    <message>
+        <source>Delete or Backspace</source>
+        <translation>Delete или Backspace</translation>
+    </message>
+    <message>
+        <source>Remove the selection without refitting</source>
+        <translation>Премахва избраното без нагласяване</translation>
+    </message>
+    <message>
+        <source>Take back the drag, end the tool, deselect, leave the canvas</source>
+        <translation>Отменя влаченето, прекратява инструмента, изчиства избора, напуска платното</translation>
+    </message>
+    <message>
+        <source>View, with the mouse</source>
+        <translation>Изглед, с мишката</translation>
+    </message>
+    <message>
+        <source>Scroll</source>
+        <translation>Превърта</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Колелце</translation>
+    </message>
+    <message>
+        <source>Scroll sideways</source>
+        <translation>Превърта настрани</translation>
+    </message>
+    <message>
+        <source>Shift+wheel</source>
+        <translation>Shift+колелце</translation>
+    </message>
+    <message>
+        <source>Zoom at the pointer</source>
+        <translation>Мащабира при показалеца</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation>Ctrl+колелце</translation>
+    </message>
+    <message>
+        <source>Move the sheet</source>
+        <translation>Мести листа</translation>
+    </message>
+    <message>
+        <source>Drag with the middle button or with Space</source>
+        <translation>Влачене със средния бутон или с Интервал</translation>
+    </message>
+    <message>
+        <source>Player</source>
+        <translation>Анимация</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Пускане или пауза</translation>
+    </message>
+    <message>
+        <source>One step back or forth</source>
+        <translation>Един етап назад или напред</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Стрелка наляво, стрелка надясно</translation>
     </message>
 </context>
 <context>
@@ -1258,6 +1620,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Tables</source>
         <translation>Таблици</translation>
     </message>
+    <message>
+        <source>Guide</source>
+        <translation>Ръководство</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -1656,6 +2022,13 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>kriva::ui::GuidePanel</name>
+    <message>
+        <source>Guide</source>
+        <translation>Ръководство</translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::HistoryPanel</name>
     <message>
         <source>History</source>
@@ -1824,6 +2197,25 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Results</source>
         <translation>Резултати</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ShortcutsDialog</name>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Клавишни комбинации</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Търсене</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Действие</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Клавиши и мишка</translation>
     </message>
 </context>
 <context>

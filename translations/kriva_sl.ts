@@ -179,6 +179,14 @@
         <source>&amp;Insert a point</source>
         <translation>Vst&amp;avi točko</translation>
     </message>
+    <message>
+        <source>User &amp;guide</source>
+        <translation>&amp;Uporabniški priročnik</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>&amp;Bližnjice</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -754,6 +762,45 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
 </context>
 <context>
+    <name>Examples</name>
+    <message>
+        <source>The polygon of degree 100 lies all but on the curve. Lower the degree with Page Down and watch the gap grow like 1/N.</source>
+        <translation>Poligon stopnje 100 leži skoraj na krivulji. Znižujte stopnjo s Page Down in opazujte, kako razmik raste kot 1/N.</translation>
+    </message>
+    <message>
+        <source>Three rows of midpoints lead to the point (7/2, 3/2) of the curve. Move t: the last segment of the scheme stays tangent to the curve.</source>
+        <translation>Tri vrste razpolovišč vodijo do točke (7/2, 3/2) na krivulji. Premikajte t: zadnja daljica sheme se krivulje ves čas dotika.</translation>
+    </message>
+    <message>
+        <source>Each row of the scheme has a parameter of its own, and so the point lies off the curve. Make the three arguments equal: it falls on it.</source>
+        <translation>Vsaka vrstica sheme ima svoj parameter, zato točka ne leži na krivulji. Izenačite vse tri argumente: točka pade nanjo.</translation>
+    </message>
+    <message>
+        <source>One polygon, whose inner points count once, twice and three times: the more often a point counts, the closer it draws the arc to itself.</source>
+        <translation>En poligon, katerega notranji točki štejeta enkrat, dvakrat in trikrat: večja ko je večkratnost, bolj točka pritegne lok k sebi.</translation>
+    </message>
+    <message>
+        <source>A closed chain of six cubics that crosses itself three times. Results names the segments and parameters of every crossing.</source>
+        <translation>Sklenjena veriga šestih kubičnih krivulj, ki trikrat seka samo sebe. V Rezultatih so odseki in parametri vsakega presečišča.</translation>
+    </message>
+    <message>
+        <source>The two arrows are the derivatives at the ends. Drag one: the whole chain follows, and every knot stays C2.</source>
+        <translation>Puščici sta odvoda v krajiščih. Povlecite eno: sledi ji cela veriga, vsak vozel pa ostane C2.</translation>
+    </message>
+    <message>
+        <source>On equally spaced points the interpolation of degree 10 swings out near the ends; the approximation of degree 6 does so far less.</source>
+        <translation>Na enakomerno razporejenih točkah interpolacija stopnje 10 ob krajiščih močno zaniha; aproksimacija stopnje 6 mnogo manj.</translation>
+    </message>
+    <message>
+        <source>The points turn back in x four times: five monotone runs, each a polynomial y(x), joined by Bézier curves.</source>
+        <translation>Točke se v smeri x štirikrat obrnejo: pet monotonih odsekov, vsak je polinom y(x), stikajo pa jih Bézierove krivulje.</translation>
+    </message>
+    <message>
+        <source>Two curves of pairs pass through every point. Drag a middle point: only its own pair changes.</source>
+        <translation>Dve krivulji iz parov gresta skozi vse točke. Povlecite vmesno točko: spremeni se samo njen par.</translation>
+    </message>
+</context>
+<context>
     <name>ExportFigure</name>
     <message>
         <source>Export figure</source>
@@ -766,6 +813,321 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>The figure was not written</source>
         <translation>Slika ni bila zapisana</translation>
+    </message>
+</context>
+<context>
+    <name>Gestures</name>
+    <message>
+        <source>Tabs</source>
+        <translation>Zavihki</translation>
+    </message>
+    <message>
+        <source>Show a tab</source>
+        <translation>Pokaže zavihek</translation>
+    </message>
+    <message>
+        <source>Alt+1 … Alt+4</source>
+        <translation>Alt+1 … Alt+4</translation>
+    </message>
+    <message>
+        <source>Next tab</source>
+        <translation>Naslednji zavihek</translation>
+    </message>
+    <message>
+        <source>Points, with the mouse</source>
+        <translation>Točke, z miško</translation>
+    </message>
+    <message>
+        <source>Select a point, or make a curve the active one</source>
+        <translation>Izbere točko ali naredi krivuljo dejavno</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klik</translation>
+    </message>
+    <message>
+        <source>Select or deselect one more point</source>
+        <translation>Izbere še eno točko ali jo izvzame iz izbora</translation>
+    </message>
+    <message>
+        <source>Shift+click</source>
+        <translation>Shift+klik</translation>
+    </message>
+    <message>
+        <source>Select all points in a rectangle</source>
+        <translation>Izbere vse točke v pravokotniku</translation>
+    </message>
+    <message>
+        <source>Drag on the empty canvas</source>
+        <translation>Vlečenje po praznem platnu</translation>
+    </message>
+    <message>
+        <source>Add the points in a rectangle to the selection</source>
+        <translation>Doda točke v pravokotniku k izboru</translation>
+    </message>
+    <message>
+        <source>Shift+drag</source>
+        <translation>Shift+vlečenje</translation>
+    </message>
+    <message>
+        <source>Take the points in a rectangle out of the selection</source>
+        <translation>Izvzame točke v pravokotniku iz izbora</translation>
+    </message>
+    <message>
+        <source>Alt+drag or Ctrl+Shift+drag</source>
+        <translation>Alt+vlečenje ali Ctrl+Shift+vlečenje</translation>
+    </message>
+    <message>
+        <source>Add a point at the end of the curve</source>
+        <translation>Doda točko na koncu krivulje</translation>
+    </message>
+    <message>
+        <source>Alt+click, or double-click on the empty canvas</source>
+        <translation>Alt+klik ali dvojni klik na prazno platno</translation>
+    </message>
+    <message>
+        <source>Insert a point and keep the shape</source>
+        <translation>Vstavi točko in ohrani obliko</translation>
+    </message>
+    <message>
+        <source>Double-click or Ctrl+Alt+click on the curve</source>
+        <translation>Dvojni klik ali Ctrl+Alt+klik na krivuljo</translation>
+    </message>
+    <message>
+        <source>Remove a point and refit its neighbours</source>
+        <translation>Odstrani točko in prilagodi sosednji</translation>
+    </message>
+    <message>
+        <source>Alt+click on the point</source>
+        <translation>Alt+klik na točko</translation>
+    </message>
+    <message>
+        <source>Move a point or the selection</source>
+        <translation>Premakne točko ali izbrano</translation>
+    </message>
+    <message>
+        <source>Drag the point</source>
+        <translation>Vlečenje točke</translation>
+    </message>
+    <message>
+        <source>Move along an axis</source>
+        <translation>Premakne vzdolž osi</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag</source>
+        <translation>Ctrl+vlečenje</translation>
+    </message>
+    <message>
+        <source>Move without snapping</source>
+        <translation>Premakne brez pripenjanja</translation>
+    </message>
+    <message>
+        <source>Shift, pressed during the drag</source>
+        <translation>Shift, pritisnjen med vlečenjem</translation>
+    </message>
+    <message>
+        <source>Mould the curve</source>
+        <translation>Oblikuje krivuljo</translation>
+    </message>
+    <message>
+        <source>Drag the curve</source>
+        <translation>Vlečenje krivulje</translation>
+    </message>
+    <message>
+        <source>What can be done here</source>
+        <translation>Kaj je tu mogoče storiti</translation>
+    </message>
+    <message>
+        <source>Right-click</source>
+        <translation>Desni klik</translation>
+    </message>
+    <message>
+        <source>Add tool</source>
+        <translation>Orodje za dodajanje</translation>
+    </message>
+    <message>
+        <source>Add a point, or insert one on the curve</source>
+        <translation>Doda točko ali jo vstavi v krivuljo</translation>
+    </message>
+    <message>
+        <source>Pull the handles of the new knot</source>
+        <translation>Izvleče ročici novega vozla</translation>
+    </message>
+    <message>
+        <source>Press and drag</source>
+        <translation>Pritisk in vlečenje</translation>
+    </message>
+    <message>
+        <source>Close the curve</source>
+        <translation>Sklene krivuljo</translation>
+    </message>
+    <message>
+        <source>Click on the first knot</source>
+        <translation>Klik na prvi vozel</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Konec</translation>
+    </message>
+    <message>
+        <source>Enter or Esc</source>
+        <translation>Enter ali Esc</translation>
+    </message>
+    <message>
+        <source>Handles and end derivatives</source>
+        <translation>Ročice in odvoda v krajiščih</translation>
+    </message>
+    <message>
+        <source>Turn in steps of 15°</source>
+        <translation>Vrti v korakih po 15°</translation>
+    </message>
+    <message>
+        <source>Keep the angle</source>
+        <translation>Ohrani kot</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+drag</source>
+        <translation>Ctrl+Alt+vlečenje</translation>
+    </message>
+    <message>
+        <source>Leave the other handle where it is</source>
+        <translation>Pusti drugo ročico na mestu</translation>
+    </message>
+    <message>
+        <source>Alt, pressed during the drag</source>
+        <translation>Alt, pritisnjen med vlečenjem</translation>
+    </message>
+    <message>
+        <source>Carry the knot along</source>
+        <translation>Nese tudi vozel</translation>
+    </message>
+    <message>
+        <source>Space, held during the drag</source>
+        <translation>Preslednica, pridržana med vlečenjem</translation>
+    </message>
+    <message>
+        <source>Retract the handle</source>
+        <translation>Skrči ročico</translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation>Ctrl+klik</translation>
+    </message>
+    <message>
+        <source>Keys on the canvas</source>
+        <translation>Tipke na platnu</translation>
+    </message>
+    <message>
+        <source>Edit tool</source>
+        <translation>Orodje za urejanje</translation>
+    </message>
+    <message>
+        <source>Fit the selection</source>
+        <translation>Pokaže izbrano</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Mreža</translation>
+    </message>
+    <message>
+        <source>Next point</source>
+        <translation>Naslednja točka</translation>
+    </message>
+    <message>
+        <source>Previous point</source>
+        <translation>Prejšnja točka</translation>
+    </message>
+    <message>
+        <source>Move the selection by a step of the grid</source>
+        <translation>Premakne izbrano za korak mreže</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Smerne tipke</translation>
+    </message>
+    <message>
+        <source>Move the selection by ten steps</source>
+        <translation>Premakne izbrano za deset korakov</translation>
+    </message>
+    <message>
+        <source>Shift+arrow keys</source>
+        <translation>Shift+smerne tipke</translation>
+    </message>
+    <message>
+        <source>Move the selection by a pixel</source>
+        <translation>Premakne izbrano za piko</translation>
+    </message>
+    <message>
+        <source>Alt+arrow keys</source>
+        <translation>Alt+smerne tipke</translation>
+    </message>
+    <message>
+        <source>Remove the selection and refit its neighbours</source>
+        <translation>Odstrani izbrano in prilagodi sosednje točke</translation>
+    </message>
+    <message>
+        <source>Delete or Backspace</source>
+        <translation>Delete ali Backspace</translation>
+    </message>
+    <message>
+        <source>Remove the selection without refitting</source>
+        <translation>Odstrani izbrano brez prilagajanja</translation>
+    </message>
+    <message>
+        <source>Take back the drag, end the tool, deselect, leave the canvas</source>
+        <translation>Prekliče vlečenje, konča orodje, počisti izbor, zapusti platno</translation>
+    </message>
+    <message>
+        <source>View, with the mouse</source>
+        <translation>Pogled, z miško</translation>
+    </message>
+    <message>
+        <source>Scroll</source>
+        <translation>Drsi</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Kolesce</translation>
+    </message>
+    <message>
+        <source>Scroll sideways</source>
+        <translation>Drsi vstran</translation>
+    </message>
+    <message>
+        <source>Shift+wheel</source>
+        <translation>Shift+kolesce</translation>
+    </message>
+    <message>
+        <source>Zoom at the pointer</source>
+        <translation>Spremeni merilo pri kazalcu</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation>Ctrl+kolesce</translation>
+    </message>
+    <message>
+        <source>Move the sheet</source>
+        <translation>Premakne list</translation>
+    </message>
+    <message>
+        <source>Drag with the middle button or with Space</source>
+        <translation>Vlečenje s srednjim gumbom ali s preslednico</translation>
+    </message>
+    <message>
+        <source>Player</source>
+        <translation>Animacija</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Predvajaj ali premor</translation>
+    </message>
+    <message>
+        <source>One step back or forth</source>
+        <translation>Eno stopnjo nazaj ali naprej</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Leva, desna smerna tipka</translation>
     </message>
 </context>
 <context>
@@ -1260,6 +1622,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>Tables</source>
         <translation>Tabele</translation>
     </message>
+    <message>
+        <source>Guide</source>
+        <translation>Priročnik</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -1658,6 +2024,13 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
 </context>
 <context>
+    <name>kriva::ui::GuidePanel</name>
+    <message>
+        <source>Guide</source>
+        <translation>Priročnik</translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::HistoryPanel</name>
     <message>
         <source>History</source>
@@ -1826,6 +2199,25 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Results</source>
         <translation>Rezultati</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ShortcutsDialog</name>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Bližnjice</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Iskanje</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Kaj naredi</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tipke in miška</translation>
     </message>
 </context>
 <context>

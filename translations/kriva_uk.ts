@@ -179,6 +179,14 @@
         <source>&amp;Insert a point</source>
         <translation>Вставити то&amp;чку</translation>
     </message>
+    <message>
+        <source>User &amp;guide</source>
+        <translation>П&amp;осібник користувача</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>&amp;Клавіатурні скорочення</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -753,6 +761,45 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>Examples</name>
+    <message>
+        <source>The polygon of degree 100 lies all but on the curve. Lower the degree with Page Down and watch the gap grow like 1/N.</source>
+        <translation>Полігон степеня 100 майже збігається з кривою. Знижуйте степінь клавішею Page Down і стежте, як відстань зростає, мов 1/N.</translation>
+    </message>
+    <message>
+        <source>Three rows of midpoints lead to the point (7/2, 3/2) of the curve. Move t: the last segment of the scheme stays tangent to the curve.</source>
+        <translation>Три ряди середин відрізків ведуть до точки (7/2, 3/2) кривої. Змінюйте t: останній відрізок схеми весь час дотикається до кривої.</translation>
+    </message>
+    <message>
+        <source>Each row of the scheme has a parameter of its own, and so the point lies off the curve. Make the three arguments equal: it falls on it.</source>
+        <translation>Кожен рядок схеми має власний параметр, тому точка не лежить на кривій. Зробіть три аргументи рівними: вона потрапить на неї.</translation>
+    </message>
+    <message>
+        <source>One polygon, whose inner points count once, twice and three times: the more often a point counts, the closer it draws the arc to itself.</source>
+        <translation>Один полігон, внутрішні точки якого враховано один раз, двічі і тричі: що більша кратність точки, то ближче вона притягує дугу.</translation>
+    </message>
+    <message>
+        <source>A closed chain of six cubics that crosses itself three times. Results names the segments and parameters of every crossing.</source>
+        <translation>Замкнений ланцюг із шести кубічних кривих, що тричі перетинає сам себе. У результатах наведено сегменти й параметри кожного перетину.</translation>
+    </message>
+    <message>
+        <source>The two arrows are the derivatives at the ends. Drag one: the whole chain follows, and every knot stays C2.</source>
+        <translation>Дві стрілки – це похідні на кінцях. Потягніть одну: змінюється весь ланцюг, а кожен вузол зберігає C2.</translation>
+    </message>
+    <message>
+        <source>On equally spaced points the interpolation of degree 10 swings out near the ends; the approximation of degree 6 does so far less.</source>
+        <translation>На рівновіддалених точках інтерполяція степеня 10 сильно коливається біля кінців; апроксимація степеня 6 – значно менше.</translation>
+    </message>
+    <message>
+        <source>The points turn back in x four times: five monotone runs, each a polynomial y(x), joined by Bézier curves.</source>
+        <translation>Точки чотири рази змінюють напрямок за x: п’ять монотонних ділянок, кожна – поліном y(x), сполучені кривими Без’є.</translation>
+    </message>
+    <message>
+        <source>Two curves of pairs pass through every point. Drag a middle point: only its own pair changes.</source>
+        <translation>Дві криві з пар проходять через усі точки. Потягніть проміжну точку: змінюється лише її пара.</translation>
+    </message>
+</context>
+<context>
     <name>ExportFigure</name>
     <message>
         <source>Export figure</source>
@@ -765,6 +812,321 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>The figure was not written</source>
         <translation>Рисунок не записано</translation>
+    </message>
+</context>
+<context>
+    <name>Gestures</name>
+    <message>
+        <source>Tabs</source>
+        <translation>Вкладки</translation>
+    </message>
+    <message>
+        <source>Show a tab</source>
+        <translation>Показати вкладку</translation>
+    </message>
+    <message>
+        <source>Alt+1 … Alt+4</source>
+        <translation>Alt+1 … Alt+4</translation>
+    </message>
+    <message>
+        <source>Next tab</source>
+        <translation>Наступна вкладка</translation>
+    </message>
+    <message>
+        <source>Points, with the mouse</source>
+        <translation>Точки, мишею</translation>
+    </message>
+    <message>
+        <source>Select a point, or make a curve the active one</source>
+        <translation>Вибрати точку або зробити криву активною</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Клацання</translation>
+    </message>
+    <message>
+        <source>Select or deselect one more point</source>
+        <translation>Вибрати ще одну точку або зняти її вибір</translation>
+    </message>
+    <message>
+        <source>Shift+click</source>
+        <translation>Shift+клацання</translation>
+    </message>
+    <message>
+        <source>Select all points in a rectangle</source>
+        <translation>Вибрати всі точки в прямокутнику</translation>
+    </message>
+    <message>
+        <source>Drag on the empty canvas</source>
+        <translation>Перетягування порожнім полотном</translation>
+    </message>
+    <message>
+        <source>Add the points in a rectangle to the selection</source>
+        <translation>Додати до вибору точки в прямокутнику</translation>
+    </message>
+    <message>
+        <source>Shift+drag</source>
+        <translation>Shift+перетягування</translation>
+    </message>
+    <message>
+        <source>Take the points in a rectangle out of the selection</source>
+        <translation>Зняти вибір точок у прямокутнику</translation>
+    </message>
+    <message>
+        <source>Alt+drag or Ctrl+Shift+drag</source>
+        <translation>Alt+перетягування або Ctrl+Shift+перетягування</translation>
+    </message>
+    <message>
+        <source>Add a point at the end of the curve</source>
+        <translation>Додати точку в кінці кривої</translation>
+    </message>
+    <message>
+        <source>Alt+click, or double-click on the empty canvas</source>
+        <translation>Alt+клацання або подвійне клацання на порожньому полотні</translation>
+    </message>
+    <message>
+        <source>Insert a point and keep the shape</source>
+        <translation>Вставити точку, зберігши форму</translation>
+    </message>
+    <message>
+        <source>Double-click or Ctrl+Alt+click on the curve</source>
+        <translation>Подвійне клацання або Ctrl+Alt+клацання на кривій</translation>
+    </message>
+    <message>
+        <source>Remove a point and refit its neighbours</source>
+        <translation>Вилучити точку й підлаштувати сусідні</translation>
+    </message>
+    <message>
+        <source>Alt+click on the point</source>
+        <translation>Alt+клацання на точці</translation>
+    </message>
+    <message>
+        <source>Move a point or the selection</source>
+        <translation>Посунути точку або вибране</translation>
+    </message>
+    <message>
+        <source>Drag the point</source>
+        <translation>Перетягування точки</translation>
+    </message>
+    <message>
+        <source>Move along an axis</source>
+        <translation>Посунути вздовж осі</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag</source>
+        <translation>Ctrl+перетягування</translation>
+    </message>
+    <message>
+        <source>Move without snapping</source>
+        <translation>Посунути без прилипання</translation>
+    </message>
+    <message>
+        <source>Shift, pressed during the drag</source>
+        <translation>Shift, натиснутий під час перетягування</translation>
+    </message>
+    <message>
+        <source>Mould the curve</source>
+        <translation>Зігнути криву</translation>
+    </message>
+    <message>
+        <source>Drag the curve</source>
+        <translation>Перетягування кривої</translation>
+    </message>
+    <message>
+        <source>What can be done here</source>
+        <translation>Що тут можна зробити</translation>
+    </message>
+    <message>
+        <source>Right-click</source>
+        <translation>Клацання правою кнопкою</translation>
+    </message>
+    <message>
+        <source>Add tool</source>
+        <translation>Інструмент додавання</translation>
+    </message>
+    <message>
+        <source>Add a point, or insert one on the curve</source>
+        <translation>Додати точку або вставити її на кривій</translation>
+    </message>
+    <message>
+        <source>Pull the handles of the new knot</source>
+        <translation>Витягнути маркери нового вузла</translation>
+    </message>
+    <message>
+        <source>Press and drag</source>
+        <translation>Натискання й перетягування</translation>
+    </message>
+    <message>
+        <source>Close the curve</source>
+        <translation>Замкнути криву</translation>
+    </message>
+    <message>
+        <source>Click on the first knot</source>
+        <translation>Клацання на першому вузлі</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Завершити</translation>
+    </message>
+    <message>
+        <source>Enter or Esc</source>
+        <translation>Enter або Esc</translation>
+    </message>
+    <message>
+        <source>Handles and end derivatives</source>
+        <translation>Маркери й похідні на кінцях</translation>
+    </message>
+    <message>
+        <source>Turn in steps of 15°</source>
+        <translation>Повернути кроками по 15°</translation>
+    </message>
+    <message>
+        <source>Keep the angle</source>
+        <translation>Зберегти кут</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+drag</source>
+        <translation>Ctrl+Alt+перетягування</translation>
+    </message>
+    <message>
+        <source>Leave the other handle where it is</source>
+        <translation>Лишити інший маркер на місці</translation>
+    </message>
+    <message>
+        <source>Alt, pressed during the drag</source>
+        <translation>Alt, натиснутий під час перетягування</translation>
+    </message>
+    <message>
+        <source>Carry the knot along</source>
+        <translation>Рухати й вузол</translation>
+    </message>
+    <message>
+        <source>Space, held during the drag</source>
+        <translation>Пробіл, утримуваний під час перетягування</translation>
+    </message>
+    <message>
+        <source>Retract the handle</source>
+        <translation>Прибрати маркер</translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation>Ctrl+клацання</translation>
+    </message>
+    <message>
+        <source>Keys on the canvas</source>
+        <translation>Клавіші на полотні</translation>
+    </message>
+    <message>
+        <source>Edit tool</source>
+        <translation>Інструмент редагування</translation>
+    </message>
+    <message>
+        <source>Fit the selection</source>
+        <translation>Умістити вибране</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Сітка</translation>
+    </message>
+    <message>
+        <source>Next point</source>
+        <translation>Наступна точка</translation>
+    </message>
+    <message>
+        <source>Previous point</source>
+        <translation>Попередня точка</translation>
+    </message>
+    <message>
+        <source>Move the selection by a step of the grid</source>
+        <translation>Посунути вибране на крок сітки</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Стрілки</translation>
+    </message>
+    <message>
+        <source>Move the selection by ten steps</source>
+        <translation>Посунути вибране на десять кроків</translation>
+    </message>
+    <message>
+        <source>Shift+arrow keys</source>
+        <translation>Shift+стрілки</translation>
+    </message>
+    <message>
+        <source>Move the selection by a pixel</source>
+        <translation>Посунути вибране на піксель</translation>
+    </message>
+    <message>
+        <source>Alt+arrow keys</source>
+        <translation>Alt+стрілки</translation>
+    </message>
+    <message>
+        <source>Remove the selection and refit its neighbours</source>
+        <translation>Вилучити вибране й підлаштувати сусідні точки</translation>
+    </message>
+    <message>
+        <source>Delete or Backspace</source>
+        <translation>Delete або Backspace</translation>
+    </message>
+    <message>
+        <source>Remove the selection without refitting</source>
+        <translation>Вилучити вибране без підлаштування</translation>
+    </message>
+    <message>
+        <source>Take back the drag, end the tool, deselect, leave the canvas</source>
+        <translation>Скасувати перетягування, завершити інструмент, зняти вибір, залишити полотно</translation>
+    </message>
+    <message>
+        <source>View, with the mouse</source>
+        <translation>Вигляд, мишею</translation>
+    </message>
+    <message>
+        <source>Scroll</source>
+        <translation>Прокрутити</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Коліщатко</translation>
+    </message>
+    <message>
+        <source>Scroll sideways</source>
+        <translation>Прокрутити вбік</translation>
+    </message>
+    <message>
+        <source>Shift+wheel</source>
+        <translation>Shift+коліщатко</translation>
+    </message>
+    <message>
+        <source>Zoom at the pointer</source>
+        <translation>Масштабувати біля вказівника</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation>Ctrl+коліщатко</translation>
+    </message>
+    <message>
+        <source>Move the sheet</source>
+        <translation>Пересунути аркуш</translation>
+    </message>
+    <message>
+        <source>Drag with the middle button or with Space</source>
+        <translation>Перетягування середньою кнопкою або з пробілом</translation>
+    </message>
+    <message>
+        <source>Player</source>
+        <translation>Анімація</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Відтворити або призупинити</translation>
+    </message>
+    <message>
+        <source>One step back or forth</source>
+        <translation>На етап назад або вперед</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Стрілка ліворуч, праворуч</translation>
     </message>
 </context>
 <context>
@@ -1259,6 +1621,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Tables</source>
         <translation>Таблиці</translation>
     </message>
+    <message>
+        <source>Guide</source>
+        <translation>Посібник</translation>
+    </message>
 </context>
 <context>
     <name>Step</name>
@@ -1657,6 +2023,13 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>kriva::ui::GuidePanel</name>
+    <message>
+        <source>Guide</source>
+        <translation>Посібник</translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::HistoryPanel</name>
     <message>
         <source>History</source>
@@ -1825,6 +2198,25 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Results</source>
         <translation>Результати</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ShortcutsDialog</name>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Клавіатурні скорочення</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Пошук</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Дія</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Клавіші та миша</translation>
     </message>
 </context>
 <context>

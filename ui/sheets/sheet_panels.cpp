@@ -1,6 +1,7 @@
 #include "ui/sheets/sheet_panels.h"
 
 #include "ui/panels/curves_panel.h"
+#include "ui/panels/guide/guide_panel.h"
 #include "ui/panels/history_panel.h"
 #include "ui/panels/layers_panel.h"
 #include "ui/panels/results_panel.h"
@@ -9,10 +10,13 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace kriva::ui {
 namespace {
 
 constexpr int kPanelWidth = 260; // px, at least: room for a table of points with a column of the sheet's own
+constexpr int kGuideWidth = 420; // px: lines of ten words, and pictures that show their labels
 
 } // namespace
 
@@ -49,6 +53,10 @@ void SheetPanels::fill() {
         Qt::RightDockWidgetArea);
     add("history", QT_TRANSLATE_NOOP("SheetPanels", "History"), new HistoryPanel(editor_, &tab_),
         Qt::RightDockWidgetArea);
+    const std::string_view sheet = sheetName(editor_.index());
+    guide_ = new GuidePanel(QString::fromUtf8(sheet.data(), static_cast<qsizetype>(sheet.size())), &tab_);
+    guide_->setExample(example_);
+    add("guide", QT_TRANSLATE_NOOP("SheetPanels", "Guide"), guide_, Qt::RightDockWidgetArea);
     for (const Panel& panel : panels_)
         if (panel.dock->widget() != properties) // they know their own width
             panel.dock->widget()->setMinimumWidth(kPanelWidth);
@@ -92,18 +100,39 @@ void SheetPanels::reset() {
 
 void SheetPanels::show(const char* name) {
     make();
-    for (const Panel& panel : panels_) {
-        if (panel.dock->objectName() != QLatin1String(name))
-            continue;
-        panel.dock->show();
-        panel.dock->raise();
-        panel.dock->widget()->setFocus();
-    }
+    QDockWidget* dock = dockOf(name);
+    dock->show();
+    dock->raise();
+    dock->widget()->setFocus();
+}
+
+QDockWidget* SheetPanels::dockOf(const char* name) const {
+    return tab_.findChild<QDockWidget*>(QString::fromLatin1(name));
 }
 
 void SheetPanels::beginRenaming() {
     show("curves");
     static_cast<CurvesPanel*>(panels_.front().dock->widget())->beginRenaming();
+}
+
+void SheetPanels::showGuide() {
+    show("guide");
+    QDockWidget* dock = dockOf("guide");
+    if (dock->isFloating())
+        return;
+    // Who asks for it wants to read: it takes the room for that where it has less.
+    const int width = std::min(kGuideWidth, tab_.width() * 2 / 5);
+    const int height = tab_.height() * 2 / 3;
+    if (dock->width() < width)
+        tab_.resizeDocks({dock}, {width}, Qt::Horizontal);
+    if (dock->height() < height)
+        tab_.resizeDocks({dockOf("properties"), dock}, {tab_.height() - height, height}, Qt::Vertical);
+}
+
+void SheetPanels::setExample(const Example* example) {
+    example_ = example;
+    if (guide_)
+        guide_->setExample(example);
 }
 
 void SheetPanels::retranslateUi() {

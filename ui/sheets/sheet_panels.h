@@ -9,6 +9,9 @@
 
 namespace kriva::ui {
 
+class GuidePanel;
+struct Example;
+
 /// The dockable panels of a tab. They are made when the tab is first shown: a window starts with one tab in sight.
 class SheetPanels {
   public:
@@ -28,6 +31,10 @@ class SheetPanels {
     void show(const char* name);
     /// Lets the name of the active curve be typed in the panel of curves, which comes into sight.
     void beginRenaming();
+    /// The same with the guide, and gives it room to be read.
+    void showGuide();
+    /// What the guide says about the example on show; null where none is.
+    void setExample(const Example* example);
     void retranslateUi();
 
   private:
@@ -36,6 +43,7 @@ class SheetPanels {
         const char* title; ///< marked with QT_TRANSLATE_NOOP("SheetPanels", ...)
     };
     void fill();
+    [[nodiscard]] QDockWidget* dockOf(const char* name) const;
     void add(const char* name, const char* title, QWidget* widget, Qt::DockWidgetArea area);
 
     QMainWindow& tab_;
@@ -43,6 +51,8 @@ class SheetPanels {
     const SheetRelations& relations_;
     const SheetUi& ui_;
     std::vector<Panel> panels_;
+    GuidePanel* guide_ = nullptr;
+    const Example* example_ = nullptr;
     QByteArray firstLayout_;
     QByteArray layout_; ///< for the panels once they are made
 };

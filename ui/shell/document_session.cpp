@@ -32,8 +32,10 @@ void DocumentSession::show(Document document) {
 }
 
 void DocumentSession::openExample(const QString& resource) {
-    if (mayClose())
-        show(exampleDocument(resource));
+    if (!mayClose())
+        return;
+    show(exampleDocument(resource));
+    Q_EMIT exampleOpened(resource);
 }
 
 void DocumentSession::open() {

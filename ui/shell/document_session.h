@@ -39,6 +39,7 @@ class DocumentSession : public QObject {
 
   Q_SIGNALS:
     void pathChanged();
+    void exampleOpened(const QString& resource);
 
   private:
     void setPath(const QString& path);

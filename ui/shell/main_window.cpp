@@ -1,20 +1,19 @@
 #include "ui/shell/main_window.h"
 
 #include "ui/document/error_text.h"
-#include "ui/shell/about_dialog.h"
 #include "ui/shell/actions/actions.h"
 #include "ui/shell/actions/context_menu.h"
 #include "ui/shell/actions/menus.h"
 #include "ui/shell/actions/physical_shortcuts.h"
 #include "ui/shell/actions/tab_actions.h"
 #include "ui/shell/document_session.h"
+#include "ui/shell/help/help.h"
 #include "ui/shell/language/qt_texts.h"
 #include "ui/shell/preferences.h"
 #include "ui/shell/status_row.h"
 
-#include <QApplication>
 #include <QCloseEvent>
-#include <QMessageBox>
+#include <QCoreApplication>
 #include <QShortcut>
 
 namespace kriva::ui {
@@ -45,6 +44,8 @@ MainWindow::MainWindow(const Surroundings& surroundings)
     connectViewActions();
     const auto* tabActions = new TabActions(*this, *actions_, *menus_, surroundings_.preferences);
     connect(tabActions, &TabActions::told, status_, &StatusRow::tell);
+    const auto* help = new Help(*this, *actions_);
+    connect(help, &Help::told, status_, &StatusRow::tell);
     menus_->setRecentFiles(surroundings_.preferences.recentFiles());
     menus_->setLanguage(surroundings_.language.language());
     menus_->setThemeChoice(surroundings_.theme.theme());
@@ -95,8 +96,6 @@ void MainWindow::connectActions() {
     connect(actions_->save, &QAction::triggered, session_, &DocumentSession::save);
     connect(actions_->saveAs, &QAction::triggered, session_, &DocumentSession::saveAs);
     connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
-    connect(actions_->about, &QAction::triggered, this, &MainWindow::showAbout);
-    connect(actions_->aboutQt, &QAction::triggered, qApp, &QApplication::aboutQt);
     connect(menus_, &Menus::recentFileChosen, session_, [this](const QString& path) {
         if (session_->mayClose())
             session_->openFile(path);
@@ -222,12 +221,6 @@ void MainWindow::followSelection() {
 void MainWindow::showTheme() {
     for (SheetTab* tab : tabs_)
         tab->canvas().setTheme(surroundings_.theme.isDark() ? Theme::dark : Theme::light);
-}
-
-void MainWindow::showAbout() {
-    auto* dialog = new AboutDialog(this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->show();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

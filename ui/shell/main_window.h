@@ -49,7 +49,6 @@ class MainWindow : public QMainWindow {
     void followHistory();
     void followSelection();
     void showTheme();
-    void showAbout();
 
     Surroundings surroundings_;
     OpenDocument document_;

@@ -86,6 +86,8 @@ void Actions::makeView() {
 }
 
 void Actions::makeHelp() {
+    guide = make("guide", QT_TRANSLATE_NOOP("Actions", "User &guide"), QKeySequence(Qt::Key_F1));
+    shortcuts = make("shortcuts", QT_TRANSLATE_NOOP("Actions", "&Shortcuts"));
     about = make("about", QT_TRANSLATE_NOOP("Actions", "&About Kriva"));
     about->setMenuRole(QAction::AboutRole);
     aboutQt = make("aboutQt", QT_TRANSLATE_NOOP("Actions", "About &Qt"));

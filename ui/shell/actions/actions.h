@@ -64,6 +64,8 @@ class Actions : public QObject {
     QAction* showHistory;
     QAction* fullScreen;
     // Help
+    QAction* guide;
+    QAction* shortcuts;
     QAction* about;
     QAction* aboutQt;
 

@@ -105,21 +105,25 @@ void Menus::fillSettings() {
         themes->addAction(action);
         const auto choice = static_cast<ThemeChoice>(themes_.size());
         connect(action, &QAction::triggered, this, [this, choice] { Q_EMIT themeChosen(choice); });
-        themes_.push_back({action, text});
+        themes_.push_back({action, text, nullptr});
     }
 }
 
 void Menus::fillHelp(const Actions& actions) {
-    add(nullptr, QT_TRANSLATE_NOOP("Menus", "&Help"))->addActions({actions.about, actions.aboutQt});
+    QMenu* help = add(nullptr, QT_TRANSLATE_NOOP("Menus", "&Help"));
+    help->addActions({actions.guide, actions.shortcuts});
+    help->addSeparator();
+    help->addActions({actions.about, actions.aboutQt});
 }
 
 void Menus::fillExamples(QMenu* file) {
     QMenu* menu = add(file, QT_TRANSLATE_NOOP("Menus", "Exa&mples"));
+    menu->setToolTipsVisible(true);
     for (const Example& example : examples()) {
         QAction* action = menu->addAction(QString());
         const QString resource = QString::fromLatin1(example.resource);
         connect(action, &QAction::triggered, this, [this, resource] { Q_EMIT exampleChosen(resource); });
-        examples_.push_back({action, example.name});
+        examples_.push_back({action, example.name, example.lookAt});
     }
 }
 
@@ -171,6 +175,8 @@ void Menus::retranslateUi() {
     for (const auto& choices : {themes_, examples_})
         for (const Choice& choice : choices)
             choice.action->setText(QCoreApplication::translate("Menus", choice.text));
+    for (const Choice& example : examples_)
+        example.action->setToolTip(QCoreApplication::translate("Examples", example.toolTip));
     tools_.setWindowTitle(QCoreApplication::translate("Menus", "Tool bar"));
 }
 

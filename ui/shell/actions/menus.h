@@ -46,6 +46,7 @@ class Menus : public QObject {
     struct Choice {
         QAction* action;
         const char* text;
+        const char* toolTip = nullptr; ///< marked with QT_TRANSLATE_NOOP("Examples", ...)
     };
     QMenu* add(QMenu* parent, const char* text);
     void fillFile(const Actions& actions);
