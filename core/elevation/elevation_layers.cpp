@@ -11,7 +11,7 @@ namespace {
 /// Each step from polygon to polygon rounds once more: after so many the next one is raised from the control points.
 constexpr int kMostStepsInARow = 16;
 
-constexpr double kFaintest = 0.12;
+constexpr double kFaintest = 0.3; // the first ones stand alone, far from the others
 constexpr double kStrongest = 0.75;
 /// Thin, or a hundred of them are a blot.
 constexpr double kThin = 0.4;

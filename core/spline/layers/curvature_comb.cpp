@@ -13,6 +13,8 @@ namespace {
 /// Of the diagonal of the curve's box.
 constexpr double kLongestTooth = 0.2;
 constexpr double kLeastRadius = 0.05;
+/// So many times the median a curvature may be where its radius is smaller than that.
+constexpr double kMostOfMedian = 10;
 
 constexpr int kMostSteps = 32; // for each segment: an envelope through them looks smooth
 constexpr int kLeastSteps = 2;
@@ -53,17 +55,21 @@ CombTeeth combTeeth(const std::vector<Points>& segments, const std::vector<Point
 
 CombScale combScale(const CombTeeth& teeth, const Box& box, double factor) {
     const double size = diagonal(box);
-    double most = 0;
+    std::vector<double> curvatures;
     for (const auto& segment : teeth)
         for (const std::optional<CombTooth>& tooth : segment)
             if (tooth)
-                most = std::max(most, std::abs(tooth->curvature));
+                curvatures.push_back(std::abs(tooth->curvature));
     // What is straight up to rounding has a comb of nothing but rounding.
     constexpr double kStraight = 1e-9;
+    const double most = curvatures.empty() ? 0 : std::ranges::max(curvatures);
     if (!std::isfinite(size) || most * size <= kStraight)
         return {};
+    const auto middle = curvatures.begin() + static_cast<std::ptrdiff_t>(curvatures.size() / 2);
+    std::ranges::nth_element(curvatures, middle);
+    const double limit = std::max(kMostOfMedian * *middle, 1 / (kLeastRadius * size));
     const double longest = factor * kLongestTooth * size;
-    return {longest / std::min(most, 1 / (kLeastRadius * size)), longest};
+    return {longest / std::min(most, limit), longest};
 }
 
 Point endOf(const CombTooth& tooth, const CombScale& scale) {

@@ -27,9 +27,10 @@ struct CombScale {
     double longest = 0;
 };
 
-/// The automatic scale, times a factor: the largest curvature gives a fifth of the diagonal of the curve's box. A
-/// curvature whose radius is below a twentieth of that diagonal counts as that one, for towards a cusp it grows beyond
-/// all bounds, and the rest of the comb would vanish. Zero where the curve is straight.
+/// The automatic scale, times a factor: the largest curvature gives a fifth of the diagonal of the curve's box. But
+/// towards a cusp it grows beyond all bounds, and the rest of the comb would vanish: more than ten times the median
+/// counts as that much, unless its radius is above a twentieth of the diagonal. Zero where the curve is straight.
+/// Linear.
 [[nodiscard]] CombScale combScale(const CombTeeth& teeth, const Box& box, double factor);
 
 /// Where a tooth ends.
