@@ -36,7 +36,8 @@ void addArrow(Layer& layer, Point from, Point to, double mostHead) {
 
 std::vector<int> shownElevations(int times) {
     const int between = std::max(0, times - 1);
-    const int count = std::min(between, kMostPolygons - 2);
+    const int room = std::max(1, kMostPolygonPoints / std::max(1, times / 2));
+    const int count = std::min({between, kMostPolygons - 2, room});
     std::vector<int> shown;
     for (int i = 1; i <= count; ++i) // whole numbers all the way: 10'000 elevations times 100 polygons fit
         shown.push_back(count == between ? i : i * times / (count + 1));

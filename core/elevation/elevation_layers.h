@@ -8,9 +8,11 @@ namespace kriva {
 
 /// How many polygons are drawn at once, the control polygon and the elevated one among them.
 inline constexpr int kMostPolygons = 100;
+/// How many points they have in all: beyond a thousand elevations nobody can tell neighbours apart.
+inline constexpr int kMostPolygonPoints = 50'000;
 
 /// Which elevations stand between none and `times`, ascending: all, or where they are more than a figure draws, as many
-/// at even distances.
+/// at even distances, but at least one.
 [[nodiscard]] std::vector<int> shownElevations(int times);
 
 /// The polygons after the elevations so far, the latest the strongest. Raised from one to the next, and from the

@@ -139,7 +139,7 @@ RoleStyle styleOf(Role role, int series, Theme theme) {
     case Role::hull:
         return on.line(kPurple, 0.8, kDots);
     case Role::runPolygon:
-        return on.line(cyclic(kRunInks, series), 0.9, kDashes);
+        return on.line(cyclic(kRunInks, series), 1.1);
     case Role::fit:
         return on.line(cyclic(kRunInks, series), 1.2);
     case Role::comb:

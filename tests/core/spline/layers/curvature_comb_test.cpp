@@ -61,10 +61,10 @@ TEST(CurvatureComb, ofACircleIsACircleOutside) {
     constexpr double kHandle = 0.5522847498;
     const std::vector<Points> quarter{{{1, 0}, {1, kHandle}, {kHandle, 1}, {0, 1}}};
     const Layer comb = curvatureCombLayer(quarter, quarter, 1);
-    for (const Stroke& stroke : comb.strokes)
-        if (stroke.series == 1)
-            for (const Point end : stroke.path.points)
-                EXPECT_NEAR(distance({}, end), 1 + 0.2 * std::sqrt(2), 0.01);
+    const Stroke& line = comb.strokes.back();
+    EXPECT_EQ(line.series, 1);
+    for (const Point end : line.path.points)
+        EXPECT_NEAR(distance({}, end), 1 + 0.2 * std::sqrt(2), 0.01);
 }
 
 TEST(CurvatureComb, growsWithItsFactor) {
