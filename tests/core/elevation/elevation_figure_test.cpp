@@ -2,9 +2,9 @@
 #include "core/bezier/evaluate.h"
 #include "core/elevation/elevation_figure.h"
 #include "core/elevation/elevation_layers.h"
-#include "core/geometry/hull.h"
 #include "tests/support/any_curve.h"
 
+#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <gmock/gmock.h>
