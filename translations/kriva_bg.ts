@@ -446,18 +446,6 @@
         <translation>Всички правила</translation>
     </message>
     <message>
-        <source>Mirror</source>
-        <translation>Огледално</translation>
-    </message>
-    <message>
-        <source>Natural</source>
-        <translation>Естествен</translation>
-    </message>
-    <message>
-        <source>Clamped</source>
-        <translation>Със зададени краища</translation>
-    </message>
-    <message>
         <source>Catmull–Rom</source>
         <translation>Катмул–Ром</translation>
     </message>
@@ -500,6 +488,54 @@
     <message>
         <source>Pairs</source>
         <translation>Двойки</translation>
+    </message>
+    <message>
+        <source>All polygons so far</source>
+        <translation>Всички полигони досега</translation>
+    </message>
+    <message>
+        <source>Convex hull</source>
+        <translation>Изпъкнала обвивка</translation>
+    </message>
+    <message>
+        <source>End tangents</source>
+        <translation>Допирателни в краищата</translation>
+    </message>
+    <message>
+        <source>De Casteljau schemes at further t</source>
+        <translation>Схеми на дьо Кастелжо при други t</translation>
+    </message>
+    <message>
+        <source>Curvature comb</source>
+        <translation>Гребен на кривината</translation>
+    </message>
+    <message>
+        <source>Inflections</source>
+        <translation>Инфлексни точки</translation>
+    </message>
+    <message>
+        <source>Continuity at the knots</source>
+        <translation>Непрекъснатост във възлите</translation>
+    </message>
+    <message>
+        <source>Polygons of runs</source>
+        <translation>Полигони на участъците</translation>
+    </message>
+    <message>
+        <source>Polynomials of runs</source>
+        <translation>Полиноми на участъците</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>огледално</translation>
+    </message>
+    <message>
+        <source>natural</source>
+        <translation>естествен</translation>
+    </message>
+    <message>
+        <source>clamped</source>
+        <translation>със зададени краища</translation>
     </message>
 </context>
 <context>
@@ -1258,6 +1294,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Ctrl: steps of 15°   Ctrl+Alt: keep the angle   Alt: leave the other handle   Space: carry the knot</source>
         <translation>Ctrl: стъпки от 15°   Ctrl+Alt: запазва ъгъла   Alt: оставя другия манипулатор   Интервал: носи и възела</translation>
     </message>
+    <message>
+        <source>Further t are numbers between 0 and 1, at most %1 of them</source>
+        <translation>Другите t са числа между 0 и 1, най-много %1</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -1502,6 +1542,22 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Runs over</source>
         <translation>Тече по</translation>
+    </message>
+    <message>
+        <source>The algorithm step by step</source>
+        <translation>Алгоритъмът стъпка по стъпка</translation>
+    </message>
+    <message>
+        <source>Curvature comb</source>
+        <translation>Гребен на кривината</translation>
+    </message>
+    <message>
+        <source>Scale of the comb</source>
+        <translation>Мащаб на гребена</translation>
+    </message>
+    <message>
+        <source>Further t</source>
+        <translation>Други t</translation>
     </message>
 </context>
 <context>
@@ -1942,6 +1998,26 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Puts the selected middle points, or all where none is selected, where the tangents meet</source>
         <translation>Поставя избраните междинни точки, или всички, ако няма избрани, където се срещат допирателните</translation>
     </message>
+    <message>
+        <source>1 of 5: the given points</source>
+        <translation>1 от 5: опорните точки</translation>
+    </message>
+    <message>
+        <source>2 of 5: monotone runs</source>
+        <translation>2 от 5: монотонни участъци</translation>
+    </message>
+    <message>
+        <source>3 of 5: a polynomial for each run</source>
+        <translation>3 от 5: полином за всеки участък</translation>
+    </message>
+    <message>
+        <source>4 of 5: joins between the runs</source>
+        <translation>4 от 5: съединения между участъците</translation>
+    </message>
+    <message>
+        <source>5 of 5: the whole curve</source>
+        <translation>5 от 5: цялата крива</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::CurvesPanel</name>
@@ -2232,6 +2308,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Given</source>
         <translation>Зададена</translation>
     </message>
+    <message>
+        <source>Show the curvature comb</source>
+        <translation>Показване на гребена на кривината</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::StatusRow</name>
@@ -2294,6 +2374,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Levels</source>
         <translation>Нива</translation>
+    </message>
+    <message>
+        <source>Shows the de Casteljau scheme at these t as well, like 0.25; 0.75</source>
+        <translation>Показва схемата на дьо Кастелжо и при тези t, например 0,25; 0,75</translation>
     </message>
 </context>
 <context>

@@ -446,18 +446,6 @@
         <translation>Vsa pravila</translation>
     </message>
     <message>
-        <source>Mirror</source>
-        <translation>Zrcalno</translation>
-    </message>
-    <message>
-        <source>Natural</source>
-        <translation>Naravni</translation>
-    </message>
-    <message>
-        <source>Clamped</source>
-        <translation>Vpeti</translation>
-    </message>
-    <message>
         <source>Catmull–Rom</source>
         <translation>Catmull–Rom</translation>
     </message>
@@ -500,6 +488,54 @@
     <message>
         <source>Pairs</source>
         <translation>Pari</translation>
+    </message>
+    <message>
+        <source>All polygons so far</source>
+        <translation>Vsi poligoni doslej</translation>
+    </message>
+    <message>
+        <source>Convex hull</source>
+        <translation>Konveksna ovojnica</translation>
+    </message>
+    <message>
+        <source>End tangents</source>
+        <translation>Tangenti v krajiščih</translation>
+    </message>
+    <message>
+        <source>De Casteljau schemes at further t</source>
+        <translation>De Casteljaujeve sheme pri drugih t</translation>
+    </message>
+    <message>
+        <source>Curvature comb</source>
+        <translation>Glavnik ukrivljenosti</translation>
+    </message>
+    <message>
+        <source>Inflections</source>
+        <translation>Prevoji</translation>
+    </message>
+    <message>
+        <source>Continuity at the knots</source>
+        <translation>Zveznost v vozlih</translation>
+    </message>
+    <message>
+        <source>Polygons of runs</source>
+        <translation>Poligoni odsekov</translation>
+    </message>
+    <message>
+        <source>Polynomials of runs</source>
+        <translation>Polinomi odsekov</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>zrcalno</translation>
+    </message>
+    <message>
+        <source>natural</source>
+        <translation>naravni</translation>
+    </message>
+    <message>
+        <source>clamped</source>
+        <translation>vpeti</translation>
     </message>
 </context>
 <context>
@@ -1260,6 +1296,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>Ctrl: steps of 15°   Ctrl+Alt: keep the angle   Alt: leave the other handle   Space: carry the knot</source>
         <translation>Ctrl: koraki po 15°   Ctrl+Alt: ohrani kot   Alt: pusti drugo ročico   Preslednica: nese tudi vozel</translation>
     </message>
+    <message>
+        <source>Further t are numbers between 0 and 1, at most %1 of them</source>
+        <translation>Drugi t so števila med 0 in 1, največ %1</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -1504,6 +1544,22 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Runs over</source>
         <translation>Teče po</translation>
+    </message>
+    <message>
+        <source>The algorithm step by step</source>
+        <translation>Algoritem po korakih</translation>
+    </message>
+    <message>
+        <source>Curvature comb</source>
+        <translation>Glavnik ukrivljenosti</translation>
+    </message>
+    <message>
+        <source>Scale of the comb</source>
+        <translation>Merilo glavnika</translation>
+    </message>
+    <message>
+        <source>Further t</source>
+        <translation>Drugi t</translation>
     </message>
 </context>
 <context>
@@ -1944,6 +2000,26 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>Puts the selected middle points, or all where none is selected, where the tangents meet</source>
         <translation>Postavi izbrane vmesne točke, ali vse, če ni izbrana nobena, kjer se sekata tangenti</translation>
     </message>
+    <message>
+        <source>1 of 5: the given points</source>
+        <translation>1 od 5: dane točke</translation>
+    </message>
+    <message>
+        <source>2 of 5: monotone runs</source>
+        <translation>2 od 5: monotoni odseki</translation>
+    </message>
+    <message>
+        <source>3 of 5: a polynomial for each run</source>
+        <translation>3 od 5: polinom za vsak odsek</translation>
+    </message>
+    <message>
+        <source>4 of 5: joins between the runs</source>
+        <translation>4 od 5: stiki med odseki</translation>
+    </message>
+    <message>
+        <source>5 of 5: the whole curve</source>
+        <translation>5 od 5: celotna krivulja</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::CurvesPanel</name>
@@ -2234,6 +2310,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>Given</source>
         <translation>Podan</translation>
     </message>
+    <message>
+        <source>Show the curvature comb</source>
+        <translation>Pokaži glavnik ukrivljenosti</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::StatusRow</name>
@@ -2296,6 +2376,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Levels</source>
         <translation>Nivoji</translation>
+    </message>
+    <message>
+        <source>Shows the de Casteljau scheme at these t as well, like 0.25; 0.75</source>
+        <translation>Pokaže de Casteljaujevo shemo tudi pri teh t, na primer 0,25; 0,75</translation>
     </message>
 </context>
 <context>

@@ -446,18 +446,6 @@
         <translation>Усі правила</translation>
     </message>
     <message>
-        <source>Mirror</source>
-        <translation>Дзеркальне</translation>
-    </message>
-    <message>
-        <source>Natural</source>
-        <translation>Природний</translation>
-    </message>
-    <message>
-        <source>Clamped</source>
-        <translation>Затиснутий</translation>
-    </message>
-    <message>
         <source>Catmull–Rom</source>
         <translation>Катмулла–Рома</translation>
     </message>
@@ -500,6 +488,54 @@
     <message>
         <source>Pairs</source>
         <translation>Пари</translation>
+    </message>
+    <message>
+        <source>All polygons so far</source>
+        <translation>Усі полігони дотепер</translation>
+    </message>
+    <message>
+        <source>Convex hull</source>
+        <translation>Опукла оболонка</translation>
+    </message>
+    <message>
+        <source>End tangents</source>
+        <translation>Дотичні на кінцях</translation>
+    </message>
+    <message>
+        <source>De Casteljau schemes at further t</source>
+        <translation>Схеми де Кастельжо при інших t</translation>
+    </message>
+    <message>
+        <source>Curvature comb</source>
+        <translation>Гребінь кривини</translation>
+    </message>
+    <message>
+        <source>Inflections</source>
+        <translation>Точки перегину</translation>
+    </message>
+    <message>
+        <source>Continuity at the knots</source>
+        <translation>Неперервність у вузлах</translation>
+    </message>
+    <message>
+        <source>Polygons of runs</source>
+        <translation>Полігони ділянок</translation>
+    </message>
+    <message>
+        <source>Polynomials of runs</source>
+        <translation>Многочлени ділянок</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>дзеркальне</translation>
+    </message>
+    <message>
+        <source>natural</source>
+        <translation>природний</translation>
+    </message>
+    <message>
+        <source>clamped</source>
+        <translation>затиснутий</translation>
     </message>
 </context>
 <context>
@@ -1259,6 +1295,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Ctrl: steps of 15°   Ctrl+Alt: keep the angle   Alt: leave the other handle   Space: carry the knot</source>
         <translation>Ctrl: кроки по 15°   Ctrl+Alt: зберігає кут   Alt: лишає інший маркер   Пробіл: рухає й вузол</translation>
     </message>
+    <message>
+        <source>Further t are numbers between 0 and 1, at most %1 of them</source>
+        <translation>Інші t — це числа між 0 і 1, щонайбільше %1</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -1503,6 +1543,22 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Runs over</source>
         <translation>Іде за</translation>
+    </message>
+    <message>
+        <source>The algorithm step by step</source>
+        <translation>Алгоритм крок за кроком</translation>
+    </message>
+    <message>
+        <source>Curvature comb</source>
+        <translation>Гребінь кривини</translation>
+    </message>
+    <message>
+        <source>Scale of the comb</source>
+        <translation>Масштаб гребеня</translation>
+    </message>
+    <message>
+        <source>Further t</source>
+        <translation>Інші t</translation>
     </message>
 </context>
 <context>
@@ -1943,6 +1999,26 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Puts the selected middle points, or all where none is selected, where the tangents meet</source>
         <translation>Ставить вибрані проміжні точки, або всі, якщо не вибрано жодної, туди, де перетинаються дотичні</translation>
     </message>
+    <message>
+        <source>1 of 5: the given points</source>
+        <translation>1 з 5: опорні точки</translation>
+    </message>
+    <message>
+        <source>2 of 5: monotone runs</source>
+        <translation>2 з 5: монотонні ділянки</translation>
+    </message>
+    <message>
+        <source>3 of 5: a polynomial for each run</source>
+        <translation>3 з 5: многочлен для кожної ділянки</translation>
+    </message>
+    <message>
+        <source>4 of 5: joins between the runs</source>
+        <translation>4 з 5: сполучення між ділянками</translation>
+    </message>
+    <message>
+        <source>5 of 5: the whole curve</source>
+        <translation>5 з 5: уся крива</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::CurvesPanel</name>
@@ -2233,6 +2309,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Given</source>
         <translation>Задана</translation>
     </message>
+    <message>
+        <source>Show the curvature comb</source>
+        <translation>Показати гребінь кривини</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::StatusRow</name>
@@ -2295,6 +2375,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Levels</source>
         <translation>Рівні</translation>
+    </message>
+    <message>
+        <source>Shows the de Casteljau scheme at these t as well, like 0.25; 0.75</source>
+        <translation>Показує схему де Кастельжо також при цих t, наприклад 0,25; 0,75</translation>
     </message>
 </context>
 <context>

@@ -10,14 +10,19 @@
 namespace kriva {
 namespace {
 
+/// The algorithm's stages: the given points, their runs, the runs' polynomials, what joins them, the whole.
+enum Stage { kGiven, kRuns, kPolynomials, kJoins, kWhole };
+
 constexpr std::array kLayers{
     LayerInfo{"given-polygon", Caption::givenPolygon},
-    LayerInfo{"curve", Caption::curve},
-    LayerInfo{"runs", Caption::runs, true, true},
-    LayerInfo{"joins", Caption::joins, true, true},
-    LayerInfo{"middle-points", Caption::middlePoints, true, true},
+    LayerInfo{"run-polygons", Caption::runPolygons, false, true, kRuns},
+    LayerInfo{"polynomials", Caption::polynomials, false, true, kPolynomials},
+    LayerInfo{"curve", Caption::curve, true, false, kWhole},
+    LayerInfo{"runs", Caption::runs, true, true, kJoins},
+    LayerInfo{"joins", Caption::joins, true, true, kJoins},
+    LayerInfo{"middle-points", Caption::middlePoints, true, true, kJoins},
     LayerInfo{"points", Caption::points},
-    LayerInfo{"run-numbers", Caption::runNumbers, true, true},
+    LayerInfo{"run-numbers", Caption::runNumbers, true, true, kRuns},
     LayerInfo{"labels", Caption::labels, true, true},
 };
 
@@ -63,6 +68,27 @@ Layer curveLayer(const CombinedCurve& curve, const Combined& combined, int index
     Layer layer{"curve"};
     for (Path& path : std::move(builder).take())
         layer.strokes.push_back({std::move(path), Role::curve, 0, 1, curve.style, index});
+    return layer;
+}
+
+Layer runPolygonsLayer(const CombinedCurve& curve, const Combined& combined) {
+    Layer layer{"run-polygons"};
+    for (std::size_t i = 0; i < combined.runs.size(); ++i)
+        layer.strokes.push_back(
+            {polyline(pointsOf(combined.runs[i].points, curve.points)), Role::runPolygon, static_cast<int>(i)});
+    return layer;
+}
+
+/// Each run's y(x), also where pairs go another way from point to point.
+Layer polynomialsLayer(const Combined& combined) {
+    Layer layer{"polynomials"};
+    for (std::size_t i = 0; i < combined.runs.size(); ++i) {
+        PathBuilder builder;
+        for (const Points& part : combined.runs[i].parts)
+            builder.add(part);
+        for (Path& path : std::move(builder).take())
+            layer.strokes.push_back({std::move(path), Role::fit, static_cast<int>(i)});
+    }
     return layer;
 }
 
@@ -150,6 +176,10 @@ Figure figureOf(const CombinedCurve& curve, const FigureContext& context) {
     const Combined combined = isIncomplete(curve) ? Combined{} : combine(curve);
     Figure figure;
     figure.layers.push_back({"given-polygon", {{polyline(curve.points), Role::controlPolygon}}});
+    if (isDrawn("run-polygons", kLayers, context))
+        figure.layers.push_back(runPolygonsLayer(curve, combined));
+    if (isDrawn("polynomials", kLayers, context))
+        figure.layers.push_back(polynomialsLayer(combined));
     figure.layers.push_back(curveLayer(curve, combined, context.curve));
     if (context.isActive) {
         figure.layers.push_back(runsLayer(combined));

@@ -190,21 +190,31 @@ Relations relationsOf(const Sheet& sheet, SheetIndex index) {
         kinds()[index]);
 }
 
+FigureContext contextOf(const Sheet& sheet, int curve) {
+    const bool isActive = curve == sheet.view.activeCurve;
+    return {curve, isActive, &sheet.view, isActive ? sheet.stage : std::nullopt};
+}
+
 Figure figureOfCurves(const Sheet& sheet, SheetIndex index) {
     std::vector<Figure> figures;
     for (std::size_t i = 0; i < sheet.curves.size(); ++i) {
         if (!viewOf(sheet.curves[i]).isShown)
             continue;
-        const FigureContext context{static_cast<int>(i), sheet.view.activeCurve == static_cast<int>(i)};
-        figures.push_back(shownLayers(figureOf(sheet.curves[i], context), layersOf(index), sheet.view, context));
+        const FigureContext context = contextOf(sheet, static_cast<int>(i));
+        figures.push_back(shownLayers(figureOf(sheet.curves[i], context), layersOf(index), context));
     }
     return united(std::move(figures), layersOf(index));
 }
 
 Figure figureOf(const Sheet& sheet, SheetIndex index) {
     const std::span<const LayerInfo> layers = layersOf(index);
-    return united({figureOfCurves(sheet, index), shownLayers(relationsOf(sheet, index).figure, layers, sheet.view, {})},
-                  layers);
+    const bool hasRelations = std::ranges::any_of(
+        layers, [&](const LayerInfo& layer) { return layer.isOfSheet && isShown(layer, sheet.view); });
+    if (!hasRelations) // they may take seconds
+        return figureOfCurves(sheet, index);
+    return united(
+        {figureOfCurves(sheet, index), shownLayers(relationsOf(sheet, index).figure, layers, {.view = &sheet.view})},
+        layers);
 }
 
 } // namespace kriva

@@ -20,6 +20,7 @@ inline constexpr SheetIndex kSheetCount = std::variant_size_v<Curve>;
 struct Sheet {
     std::vector<Curve> curves; ///< all of the sheet's own kind
     SheetView view;
+    std::optional<int> stage = {}; ///< of the active curve, as a player shows it: of the moment, never saved
     friend bool operator==(const Sheet&, const Sheet&) = default;
 };
 
@@ -86,6 +87,9 @@ template <class C>
 
 /// What the curves of a sheet have with each other; nothing in sheets where nobody asks. May take seconds.
 [[nodiscard]] Relations relationsOf(const Sheet& sheet, SheetIndex index);
+
+/// How a curve of the sheet, which outlives this, enters its figure.
+[[nodiscard]] FigureContext contextOf(const Sheet& sheet, int curve);
 
 /// The figure of a whole sheet under its view: what its canvas shows and an export draws.
 [[nodiscard]] Figure figureOf(const Sheet& sheet, SheetIndex index);

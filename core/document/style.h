@@ -1,10 +1,12 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 /// What changes how a figure looks and never a number in the report. The keys on disk are listed in ARCHITECTURE.md.
 namespace kriva {
@@ -40,11 +42,19 @@ struct CurveView {
     friend bool operator==(const CurveView&, const CurveView&) = default;
 };
 
+/// How many further t a sheet shows schemes at: more could not be told apart.
+inline constexpr std::size_t kMostParameters = 16;
+/// How much the curvature comb may be scaled.
+inline constexpr double kLeastCombScale = 0.01;
+inline constexpr double kMostCombScale = 100;
+
 /// Saved, but never undone and never a modification.
 struct SheetView {
     int activeCurve = 0;
     std::map<std::string, bool> layers; ///< by layer name, where it differs from the layer's default
     std::optional<double> mmPerUnit;    ///< scale of the page; by default its longer side is 120 mm
+    double combScale = 1;               ///< of the curvature comb, times its automatic scale
+    std::vector<double> parameters;     ///< further t whose de Casteljau schemes are shown, each between 0 and 1
     friend bool operator==(const SheetView&, const SheetView&) = default;
 };
 

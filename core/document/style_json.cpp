@@ -42,7 +42,7 @@ void readView(const JsonNode& node, CurveView& view) {
 }
 
 void readView(const JsonNode& node, SheetView& view, std::span<const std::string_view> layers) {
-    const JsonObject object(node, {"activeCurve", "layers", "mmPerUnit"});
+    const JsonObject object(node, {"activeCurve", "layers", "mmPerUnit", "combScale", "parameters"});
     if (const JsonNode* active = object.find("activeCurve"))
         view.activeCurve = active->wholeNumber(0, static_cast<int>(limits::kCurvesInSheet) - 1);
     if (const JsonNode* shown = object.find("layers")) {
@@ -53,6 +53,12 @@ void readView(const JsonNode& node, SheetView& view, std::span<const std::string
     }
     if (const JsonNode* scale = object.find("mmPerUnit"))
         view.mmPerUnit = scale->number(kScaleLow, kScaleHigh);
+    if (const JsonNode* scale = object.find("combScale"))
+        view.combScale = scale->number(kLeastCombScale, kMostCombScale);
+    if (const JsonNode* parameters = object.find("parameters")) {
+        view.parameters.reserve(parameters->listSize(kMostParameters));
+        parameters->forEachElement([&](const JsonNode& t) { view.parameters.push_back(t.numberBetween(0, 1)); });
+    }
 }
 
 void writeStyle(JsonWriter& json, const CurveStyle& style) {
@@ -86,6 +92,10 @@ void writeView(JsonWriter& json, const SheetView& view) {
     }
     if (view.mmPerUnit)
         json.member("mmPerUnit", *view.mmPerUnit);
+    if (view.combScale != 1)
+        json.member("combScale", view.combScale);
+    if (!view.parameters.empty())
+        json.member("parameters", view.parameters);
     json.endObject();
 }
 

@@ -1,13 +1,18 @@
 #include "core/elevation/elevation_figure.h"
 
+#include "core/bezier/elevate.h"
+#include "core/elevation/elevation_layers.h"
 #include "core/figure/labels.h"
 
 namespace kriva {
 namespace {
 
 constexpr std::array kLayers{
+    LayerInfo{"convex-hull", Caption::convexHull, false, true},
+    LayerInfo{"all-polygons", Caption::allPolygons, false, true},
     LayerInfo{"control-polygon", Caption::controlPolygon},
     LayerInfo{"elevated-polygon", Caption::elevatedPolygon, true, true},
+    LayerInfo{"end-tangents", Caption::endTangents, false, true},
     LayerInfo{"curve", Caption::curve},
     LayerInfo{"points", Caption::points},
     LayerInfo{"labels", Caption::labels, true, true},
@@ -20,17 +25,25 @@ std::span<const LayerInfo> layersOf(const ElevationCurve&) {
 }
 
 Figure figureOf(const ElevationCurve& curve, const FigureContext& context) {
+    const auto isWanted = [&](std::string_view layer) {
+        return !isIncomplete(curve) && isDrawn(layer, kLayers, context);
+    };
+    const Points polygon =
+        isWanted("convex-hull") || isWanted("elevated-polygon") ? elevated(curve.points, curve.times) : Points{};
     Figure figure;
+    if (isWanted("convex-hull"))
+        figure.layers.push_back(convexHullLayer(polygon));
+    if (isWanted("all-polygons"))
+        figure.layers.push_back(allPolygonsLayer(curve));
     figure.layers.push_back({"control-polygon", {{polyline(curve.points), Role::controlPolygon}}});
-    if (!isIncomplete(curve)) {
-        if (context.isActive && curve.times > 0) {
-            const Points polygon = elevate(curve).polygon;
-            figure.layers.push_back(
-                {"elevated-polygon", {{polyline(polygon), Role::derivedPolygon}}, {{polygon, Role::derivedPolygon}}});
-        }
+    if (isWanted("elevated-polygon") && curve.times > 0)
+        figure.layers.push_back(
+            {"elevated-polygon", {{polyline(polygon), Role::derivedPolygon}}, {{polygon, Role::derivedPolygon}}});
+    if (isWanted("end-tangents"))
+        figure.layers.push_back(endTangentsLayer(curve.points));
+    if (!isIncomplete(curve))
         figure.layers.push_back(
             {"curve", {{singleCurve(curve.points), Role::curve, 0, 1, curve.style, context.curve}}});
-    }
     figure.layers.push_back({"points", {}, {{curve.points, Role::point}}});
     figure.layers.push_back({"labels", {}, {}, indexedLabels("b", curve.points)});
     return figure;

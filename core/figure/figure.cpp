@@ -2,6 +2,7 @@
 
 #include "core/bezier/bounds.h"
 
+#include <algorithm>
 #include <iterator>
 
 namespace kriva {
@@ -64,14 +65,22 @@ bool isShown(const LayerInfo& layer, const SheetView& view) {
     return stored == view.layers.end() ? layer.isShownAtFirst : stored->second;
 }
 
-Figure shownLayers(Figure figure, std::span<const LayerInfo> table, const SheetView& view,
-                   const FigureContext& context) {
-    std::erase_if(figure.layers, [&](const Layer& layer) {
-        for (const LayerInfo& info : table)
-            if (info.name == layer.name)
-                return !isShown(info, view) || (info.isOfActiveCurve && !context.isActive);
+bool isDrawn(std::string_view layer, std::span<const LayerInfo> table, const FigureContext& context) {
+    const auto info = std::ranges::find(table, layer, &LayerInfo::name);
+    if (info == table.end())
+        return true;
+    if (info->isOfActiveCurve && !context.isActive)
         return false;
-    });
+    if (!context.view)
+        return !context.stage || info->stage <= *context.stage;
+    if (!context.stage)
+        return isShown(*info, *context.view);
+    const bool isOfThisStage = info->stage == *context.stage && !context.view->layers.contains(std::string(layer));
+    return info->stage <= *context.stage && (isOfThisStage || isShown(*info, *context.view));
+}
+
+Figure shownLayers(Figure figure, std::span<const LayerInfo> table, const FigureContext& context) {
+    std::erase_if(figure.layers, [&](const Layer& layer) { return !isDrawn(layer.name, table, context); });
     return figure;
 }
 

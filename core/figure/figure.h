@@ -26,6 +26,13 @@ enum class Role {
     curvePoint,
     crossing,
     derivative,
+    tangent,
+    hull,
+    runPolygon, ///< series: the number of the run
+    fit,        ///< the polynomial of a run, before it is joined to others; series likewise
+    comb,       ///< series: 0 for the teeth, 1 for the line along their ends
+    inflection,
+    rule, ///< the chain that another rule makes of the same knots; series: the rule
     label,
     // of plots
     axis,
@@ -124,12 +131,18 @@ struct LayerInfo {
     Caption caption = Caption::none;
     bool isShownAtFirst = true;
     bool isOfActiveCurve = false; ///< derived layers are drawn for the active curve only
+    /// Where the sheet's algorithm runs in stages, the one that brings the layer: earlier ones hide it. What is off at
+    /// first shows in its own stage alone.
+    int stage = 0;
+    bool isOfSheet = false; ///< drawn for what the curves have with each other
 };
 
 /// How one curve of a sheet enters the figure.
 struct FigureContext {
     int curve = 0; ///< index in the sheet
     bool isActive = true;
+    const SheetView* view = nullptr; ///< of the sheet, which outlives this; nothing shows all there is, as at first
+    std::optional<int> stage = {};   ///< of the sheet's algorithm; nothing where it has run through
 };
 
 /// The figure of a curve as its style asks for: the marks of its points in another shape, its labels left out.
@@ -141,10 +154,12 @@ struct FigureContext {
 /// Whether a layer is shown under the view of its sheet.
 [[nodiscard]] bool isShown(const LayerInfo& layer, const SheetView& view);
 
-/// The figure without the layers that the view hides and, for a curve that is not the active one, without those of
-/// the active curve.
-[[nodiscard]] Figure shownLayers(Figure figure, std::span<const LayerInfo> table, const SheetView& view,
-                                 const FigureContext& context);
+/// Whether a layer of the table is drawn: not where the view or the stage hides it, nor a layer of the active curve for
+/// another one. Where it costs much, a figure asks before it makes the layer.
+[[nodiscard]] bool isDrawn(std::string_view layer, std::span<const LayerInfo> table, const FigureContext& context);
+
+/// The figure without the layers that are not drawn.
+[[nodiscard]] Figure shownLayers(Figure figure, std::span<const LayerInfo> table, const FigureContext& context);
 
 /// The box of the strokes, of curves themselves and not of their control points, and of all places of marks and labels.
 [[nodiscard]] Box boxOf(const Figure& figure);

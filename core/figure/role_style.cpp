@@ -43,13 +43,17 @@ constexpr std::array<Ink, 6> kPlotInks{{{kBlue, kSkyBlue},
                                         {kPurple, kPurple},
                                         {kOrange, kOrange},
                                         {kSkyBlue, kYellow}}};
+constexpr std::array<Ink, 4> kRuleInks{{{kOrange, kOrange}, {kGreen, kGreen}, {kPurple, kPurple}, {kSkyBlue, kYellow}}};
 
 constexpr std::array<double, 2> kDashes{3, 1.5};
 constexpr std::array<double, 2> kDots{1.2, 1.4};
 constexpr std::array<double, 4> kDashDot{4.5, 1.5, 1.1, 1.5};
+constexpr std::array<double, 2> kLongDashes{7, 1.8};
 
 // Three patterns of lines against four inks: twelve levels before one repeats.
 constexpr std::array<std::span<const double>, 3> kLevelDashes{std::span<const double>(), kDashes, kDots};
+
+constexpr std::array<std::span<const double>, 4> kRuleDashes{kDashes, kDots, kDashDot, kLongDashes};
 
 /// What the roles are made of, on one paper.
 class Palette {
@@ -138,6 +142,20 @@ RoleStyle styleOf(Role role, int series, Theme theme) {
         return {on(kVermillion), 0, {}, Marker::ring, 7, 1.2, {}};
     case Role::derivative:
         return on.hollow(on.line(kVermillion, 0.9, kDashDot), Marker::circle, 3.2, 0.8);
+    case Role::tangent:
+        return on.line(kGreen, 0.9);
+    case Role::hull:
+        return on.line(kPurple, 0.8, kDots);
+    case Role::runPolygon:
+        return on.line(cyclic(kRunInks, series), 1.1);
+    case Role::fit:
+        return on.line(cyclic(kRunInks, series), 1.2);
+    case Role::comb:
+        return on.line(kPurple, series == 0 ? 0.4 : 0.8);
+    case Role::inflection:
+        return on.hollow(on.line(kGreen, 0), Marker::diamond, 6, 1.1);
+    case Role::rule:
+        return on.line(cyclic(kRuleInks, series), 1, cyclic(kRuleDashes, series));
     case Role::label:
         return on.line(kText, 0);
     case Role::axis:

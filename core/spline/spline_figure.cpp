@@ -3,6 +3,8 @@
 #include "core/bezier/evaluate.h"
 #include "core/figure/labels.h"
 #include "core/spline/editing/joins.h"
+#include "core/spline/layers/curvature_comb.h"
+#include "core/spline/layers/spline_layers.h"
 
 #include <algorithm>
 #include <array>
@@ -12,12 +14,16 @@ namespace kriva {
 namespace {
 
 constexpr std::array kLayers{
+    LayerInfo{"curvature-comb", Caption::curvatureComb, false, true},
+    LayerInfo{"all-rules", Caption::allRules, false, true},
     LayerInfo{"control-polygon", Caption::controlPolygon},
     LayerInfo{"curve", Caption::curve},
     LayerInfo{"end-derivatives", Caption::endDerivatives, true, true},
     LayerInfo{"handles", Caption::handles},
     LayerInfo{"knots", Caption::knots},
-    LayerInfo{"crossings", Caption::crossings},
+    LayerInfo{"inflections", Caption::inflections, false, true},
+    LayerInfo{"crossings", Caption::crossings, true, false, 0, true},
+    LayerInfo{"continuity", Caption::continuityBadges, false, true},
     LayerInfo{"labels", Caption::labels, true, true},
 };
 
@@ -102,6 +108,29 @@ Layer labelsLayer(const SplineCurve& curve, const std::vector<Points>& segments,
     return layer;
 }
 
+/// What lies under the curve.
+void addBeneath(Figure& figure, const SplineCurve& curve, const std::vector<Points>& segments,
+                const FigureContext& context) {
+    if (isDrawn("curvature-comb", kLayers, context))
+        figure.layers.push_back(
+            curvatureCombLayer(segments, shapesOf(curve), context.view ? context.view->combScale : 1));
+    if (isDrawn("all-rules", kLayers, context))
+        figure.layers.push_back(allRulesLayer(curve));
+}
+
+/// What is marked on the curve.
+void addOnTop(Figure& figure, const SplineCurve& curve, const FigureContext& context) {
+    const bool hasInflections = isDrawn("inflections", kLayers, context);
+    const bool hasContinuity = isDrawn("continuity", kLayers, context) && curve.knots.size() <= kMostLabelledKnots;
+    if (!hasInflections && !hasContinuity)
+        return;
+    const SplineChain solved = solveSpline(curve);
+    if (hasInflections)
+        figure.layers.push_back(inflectionsLayer(curve, solved, shapesOf(curve)));
+    if (hasContinuity)
+        figure.layers.push_back(continuityLayer(curve, solved));
+}
+
 } // namespace
 
 std::span<const LayerInfo> layersOf(const SplineCurve&) {
@@ -113,6 +142,7 @@ Figure figureOf(const SplineCurve& curve, const FigureContext& context) {
     const std::vector<KnotHandles> handles = knotHandles(curve);
     Figure figure;
     if (!isIncomplete(curve)) {
+        addBeneath(figure, curve, segments, context);
         figure.layers.push_back(polygonLayer(segments));
         figure.layers.push_back(
             {"curve", {{chain(segments, curve.closed), Role::curve, 0, 1, curve.style, context.curve}}});
@@ -121,6 +151,8 @@ Figure figureOf(const SplineCurve& curve, const FigureContext& context) {
         figure.layers.push_back(handlesLayer(curve, segments, handles));
     }
     figure.layers.push_back({"knots", {}, {{knotPoints(curve), Role::knot}}});
+    if (!isIncomplete(curve))
+        addOnTop(figure, curve, context);
     if (context.isActive && curve.knots.size() <= kMostLabelledKnots)
         figure.layers.push_back(labelsLayer(curve, segments, handles));
     return figure;

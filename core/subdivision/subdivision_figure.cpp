@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::array kLayers{
     LayerInfo{"control-polygon", Caption::controlPolygon},
+    LayerInfo{"further-constructions", Caption::furtherConstructions, true, true},
     LayerInfo{"construction", Caption::construction, true, true},
     LayerInfo{"pieces", Caption::pieces, true, true},
     LayerInfo{"partial-curves", Caption::partialCurves, false, true},
@@ -32,6 +33,26 @@ Layer construction(std::string_view name, const Triangle& triangle) {
         layer.strokes.push_back({polyline(triangle[r]), Role::construction, level});
         layer.marks.push_back({triangle[r], Role::construction, level});
     }
+    return layer;
+}
+
+/// The schemes at the further parameters, each fainter than the one before, and their points of the curve.
+Layer furtherConstructions(const Points& polygon, std::span<const double> parameters) {
+    constexpr double kFirst = 0.55;
+    constexpr double kFading = 0.85;
+    constexpr double kFaintest = 0.2;
+    Layer layer{"further-constructions"};
+    Points places;
+    double strength = kFirst;
+    for (const double t : parameters) {
+        const Triangle triangle = deCasteljau(polygon, t);
+        for (std::size_t r = 1; r + 1 < triangle.size(); ++r)
+            layer.strokes.push_back({polyline(triangle[r]), Role::construction, static_cast<int>(r), strength});
+        places.push_back(triangle.back().front());
+        strength = std::max(kFaintest, kFading * strength);
+    }
+    if (!places.empty())
+        layer.marks.push_back({std::move(places), Role::curvePoint});
     return layer;
 }
 
@@ -120,9 +141,14 @@ std::vector<Label> partLabels(const Halves& halves) {
     return labels;
 }
 
-void addPolygons(Figure& figure, const SubdivisionCurve& curve, const Subdivision& cut) {
+void addPolygons(Figure& figure, const SubdivisionCurve& curve, const Subdivision& cut, const FigureContext& context) {
+    const std::span<const double> further =
+        context.view ? std::span<const double>(context.view->parameters) : std::span<const double>();
+    if (isDrawn("further-constructions", kLayers, context))
+        figure.layers.push_back(furtherConstructions(cut.polygon, further));
     figure.layers.push_back(construction("construction", cut.triangle));
-    figure.layers.push_back(piecesLayer(curve));
+    if (isDrawn("pieces", kLayers, context))
+        figure.layers.push_back(piecesLayer(curve));
     figure.layers.push_back(partialCurves(cut));
     figure.layers.push_back(half("left", cut.halves.left, Role::left));
     figure.layers.push_back(half("right", cut.halves.right, Role::right));
@@ -145,7 +171,7 @@ Figure figureOf(const SubdivisionCurve& curve, const FigureContext& context) {
     Figure figure;
     figure.layers.push_back({"control-polygon", {{polyline(curve.points), Role::controlPolygon}}});
     if (isCut)
-        addPolygons(figure, curve, cut);
+        addPolygons(figure, curve, cut, context);
     if (!isIncomplete(curve))
         figure.layers.push_back(
             {"curve", {{singleCurve(controlPolygon(curve)), Role::curve, 0, 1, curve.style, context.curve}}});

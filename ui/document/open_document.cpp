@@ -2,6 +2,8 @@
 
 #include "core/document/limit_check.h"
 
+#include <utility>
+
 namespace kriva::ui {
 namespace {
 
@@ -196,6 +198,18 @@ void OpenDocument::setCurveShown(SheetIndex sheet, Serial serial, bool isShown) 
 
 void OpenDocument::setLayerShown(SheetIndex sheet, std::string_view layer, bool isShown) {
     present_.view(sheet).layers[std::string(layer)] = isShown;
+    Q_EMIT viewChanged(sheet);
+}
+
+void OpenDocument::setCombScale(SheetIndex sheet, double scale) {
+    if (std::exchange(present_.view(sheet).combScale, scale) != scale)
+        Q_EMIT viewChanged(sheet);
+}
+
+void OpenDocument::setParameters(SheetIndex sheet, std::vector<double> parameters) {
+    if (present_.view(sheet).parameters == parameters)
+        return;
+    present_.view(sheet).parameters = std::move(parameters);
     Q_EMIT viewChanged(sheet);
 }
 

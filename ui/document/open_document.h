@@ -64,6 +64,8 @@ class OpenDocument : public QObject {
     void setActiveCurve(SheetIndex sheet, Serial serial);
     void setCurveShown(SheetIndex sheet, Serial serial, bool isShown);
     void setLayerShown(SheetIndex sheet, std::string_view layer, bool isShown);
+    void setCombScale(SheetIndex sheet, double scale);
+    void setParameters(SheetIndex sheet, std::vector<double> parameters);
 
     [[nodiscard]] QUndoStack& history(SheetIndex sheet) { return *histories_[sheet]; }
     [[nodiscard]] QUndoGroup& histories() { return group_; }
@@ -78,7 +80,7 @@ class OpenDocument : public QObject {
     void curveChanged(kriva::SheetIndex sheet, kriva::ui::Serial serial);
     /// Curves came, went or changed places.
     void curvesChanged(kriva::SheetIndex sheet);
-    /// Which curve is active, or which layers are shown.
+    /// Which curve is active, or which layers are shown and how.
     void viewChanged(kriva::SheetIndex sheet);
     void activeSheetChanged(kriva::SheetIndex sheet);
     void replaced();

@@ -102,6 +102,34 @@ class Captions {
             return tr("Middle points of pairs");
         case Caption::runNumbers:
             return tr("Numbers of runs");
+        case Caption::allPolygons:
+            return tr("All polygons so far");
+        case Caption::convexHull:
+            return tr("Convex hull");
+        case Caption::endTangents:
+            return tr("End tangents");
+        case Caption::furtherConstructions:
+            return tr("De Casteljau schemes at further t");
+        case Caption::curvatureComb:
+            return tr("Curvature comb");
+        case Caption::inflections:
+            return tr("Inflections");
+        case Caption::continuityBadges:
+            return tr("Continuity at the knots");
+        case Caption::allRules:
+            return tr("All rules");
+        case Caption::runPolygons:
+            return tr("Polygons of runs");
+        case Caption::polynomials:
+            return tr("Polynomials of runs");
+        case Caption::mirror:
+            return tr("mirror");
+        case Caption::natural:
+            return tr("natural");
+        case Caption::clamped:
+            return tr("clamped");
+        case Caption::catmullRom:
+            return tr("Catmull–Rom");
         case Caption::runPoints:
             return tr("Points of run");
         case Caption::runDegree:
@@ -138,16 +166,6 @@ class Captions {
             return tr("Segment");
         case Caption::rule:
             return tr("Rule");
-        case Caption::allRules:
-            return tr("All rules");
-        case Caption::ruleMirror:
-            return tr("Mirror");
-        case Caption::ruleNatural:
-            return tr("Natural");
-        case Caption::ruleClamped:
-            return tr("Clamped");
-        case Caption::ruleCatmullRom:
-            return tr("Catmull–Rom");
         case Caption::largestCurvature:
             return tr("Largest curvature");
         case Caption::run:

@@ -29,15 +29,16 @@ CanvasContent::CanvasContent(const ShownSheet& sheet, const SheetRelations& rela
 
 CanvasCurve CanvasContent::curve(Serial serial) const {
     const Curve& curve = *sheet_.shown(serial);
-    const SheetView& view = sheet_.sheet().view;
     const int index = *sheet_.document().indexOf(sheet_.index(), serial);
     CanvasCurve shown;
     shown.serial = serial;
     shown.isActive = serial == sheet_.activeSerial();
     shown.name = curveName(curve, index);
     if (viewOf(curve).isShown) {
-        const FigureContext context{index, shown.isActive};
-        shown.figure = shownLayers(figureOf(curve, context), layersOf(sheet_.index()), view, context);
+        FigureContext context = contextOf(sheet_.sheet(), index);
+        if (shown.isActive)
+            context.stage = sheet_.layerStage();
+        shown.figure = shownLayers(figureOf(curve, context), layersOf(sheet_.index()), context);
         shown.grips = grips(curve);
     }
     return shown;
@@ -46,7 +47,7 @@ CanvasCurve CanvasContent::curve(Serial serial) const {
 CanvasCurve CanvasContent::relations() const {
     CanvasCurve shown;
     shown.isOnTop = true;
-    shown.figure = shownLayers(relations_.relations().figure, layersOf(sheet_.index()), sheet_.sheet().view, {});
+    shown.figure = shownLayers(relations_.relations().figure, layersOf(sheet_.index()), {.view = &sheet_.sheet().view});
     return shown;
 }
 

@@ -64,6 +64,30 @@ void PropertiesPanel::bind(SliderField* field, const Change& change, const StepL
             [this, change, step](double value) { editor_.change(change(*editor_.activeCurve(), value), step); });
 }
 
+void PropertiesPanel::bindView(SliderField* field, const std::function<void(double)>& set) {
+    connect(field, &SliderField::valueDragged, this, set);
+    connect(field, &SliderField::valueStepped, this, set);
+    connect(field, &SliderField::valueTyped, this, set);
+}
+
+QCheckBox* PropertiesPanel::addLayerBox(std::string_view layer) {
+    auto* box = new QCheckBox(this);
+    connect(box, &QCheckBox::toggled, this,
+            [this, layer](bool on) { editor_.document().setLayerShown(editor_.index(), layer, on); });
+    layerBoxes_.push_back({box, layer});
+    addWide(box);
+    return box;
+}
+
+void PropertiesPanel::showLayerBoxes() {
+    for (const LayerBox& row : layerBoxes_) {
+        const QSignalBlocker blocker(row.box);
+        for (const LayerInfo& layer : layersOf(editor_.index()))
+            if (layer.name == row.layer)
+                row.box->setChecked(isShown(layer, editor_.sheet().view));
+    }
+}
+
 QComboBox* PropertiesPanel::addChoice(const char* label, std::vector<const char*> entries, const Change& change,
                                       const StepLabel& step) {
     auto* box = new QComboBox(this);
@@ -85,6 +109,7 @@ void PropertiesPanel::finish() {
 void PropertiesPanel::showState() {
     const bool isThere = editor_.activeCurve() != nullptr;
     setEnabled(isThere);
+    showLayerBoxes();
     if (isThere)
         showCurve();
 }

@@ -3,6 +3,7 @@
 #include "ui/panels/controls/slider_field.h"
 #include "ui/sheets/sheet_editor.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -32,6 +33,10 @@ class PropertiesPanel : public QWidget {
     void addHeading(const char* label);
     /// Drags of the slider become one step, keys that follow closely become one, and so does a typed number.
     void bind(SliderField* field, const Change& change, const StepLabel& step);
+    /// The same for a number of the view, which is never undone: every value is set at once.
+    void bindView(SliderField* field, const std::function<void(double)>& set);
+    /// A box that shows and hides a layer of the sheet, below all rows so far.
+    QCheckBox* addLayerBox(std::string_view layer);
     /// A box whose entries stand for the values of an enumeration, in its order.
     QComboBox* addChoice(const char* label, std::vector<const char*> entries, const Change& change,
                          const StepLabel& step);
@@ -57,12 +62,18 @@ class PropertiesPanel : public QWidget {
         QComboBox* box;
         std::vector<const char*> entries;
     };
+    struct LayerBox {
+        QCheckBox* box;
+        std::string_view layer;
+    };
     void retranslateUi();
+    void showLayerBoxes();
 
     SheetEditor& editor_;
     QFormLayout* layout_;
     std::vector<Row> rows_;
     std::vector<Choice> choices_;
+    std::vector<LayerBox> layerBoxes_;
 };
 
 } // namespace kriva::ui

@@ -17,15 +17,15 @@ ShownSheet::ShownSheet(OpenDocument& document, SheetIndex sheet, QObject* parent
     connect(&document, &OpenDocument::curvesChanged, this, [this](SheetIndex changed) {
         if (changed != index_)
             return;
-        stage_.reset();
+        dropStages();
         dropLostSelection();
     });
     connect(&document, &OpenDocument::viewChanged, this, [this](SheetIndex changed) {
         if (changed == index_ && activeSerial() != stagedSerial_)
-            stage_.reset();
+            dropStages();
     });
     connect(&document, &OpenDocument::replaced, this, [this] {
-        stage_.reset();
+        dropStages();
         select({});
     });
 }
@@ -36,6 +36,7 @@ const Curve* ShownSheet::shown(Serial serial) const {
 
 Sheet ShownSheet::sheetOnView() const {
     Sheet onView = sheet();
+    onView.stage = layerStage_;
     if (stage_)
         onView.curves[static_cast<std::size_t>(onView.view.activeCurve)] = *stage_;
     return onView;
@@ -53,6 +54,19 @@ void ShownSheet::setStage(std::optional<Curve> stage) {
     stage_ = std::move(stage);
     stagedSerial_ = activeSerial();
     Q_EMIT shownCurveChanged(activeSerial());
+}
+
+void ShownSheet::setLayerStage(std::optional<int> stage) {
+    if (stage == layerStage_)
+        return;
+    layerStage_ = stage;
+    stagedSerial_ = activeSerial();
+    Q_EMIT shownCurveChanged(activeSerial());
+}
+
+void ShownSheet::dropStages() {
+    stage_.reset();
+    layerStage_.reset();
 }
 
 void ShownSheet::select(Selection selection) {

@@ -23,6 +23,10 @@ class ShownSheet : public QObject {
     [[nodiscard]] const Curve* shown(Serial serial) const;
     /// Shows another value in place of the active curve's without changing the document; nothing shows the document's.
     void setStage(std::optional<Curve> stage);
+    /// Hides the layers of the active curve that its sheet's algorithm brings only after that stage; nothing shows all.
+    /// It stays where the curve changes, so that one can pull at a point and watch one stage.
+    void setLayerStage(std::optional<int> stage);
+    [[nodiscard]] std::optional<int> layerStage() const { return layerStage_; }
     /// The sheet with the stage in place of the active curve.
     [[nodiscard]] Sheet sheetOnView() const;
     /// The whole document with the stage in place of the active curve: what an export draws.
@@ -50,12 +54,14 @@ class ShownSheet : public QObject {
   private:
     [[nodiscard]] Selection allPoints() const;
     void dropLostSelection();
+    void dropStages();
 
     OpenDocument& document_;
     SheetIndex index_;
     Selection selection_;
     std::optional<Curve> stage_;
-    Serial stagedSerial_ = 0; ///< in whose place the stage stands
+    std::optional<int> layerStage_;
+    Serial stagedSerial_ = 0; ///< in whose place the stage stands, or whose layers it hides
 };
 
 } // namespace kriva::ui

@@ -15,10 +15,10 @@ struct NamedRule {
     Rule rule;
     Caption caption;
 };
-constexpr std::array<NamedRule, 4> kRules{{{Rule::mirror, Caption::ruleMirror},
-                                           {Rule::natural, Caption::ruleNatural},
-                                           {Rule::clamped, Caption::ruleClamped},
-                                           {Rule::catmullRom, Caption::ruleCatmullRom}}};
+constexpr std::array<NamedRule, 4> kRules{{{Rule::mirror, Caption::mirror},
+                                           {Rule::natural, Caption::natural},
+                                           {Rule::clamped, Caption::clamped},
+                                           {Rule::catmullRom, Caption::catmullRom}}};
 
 Table coefficientsTable(const SplineCurve& curve) {
     Table table{Caption::coefficients, {{Caption::segment}}, {}};

@@ -1,4 +1,8 @@
+#include "core/combined/combined_figure.h"
+#include "core/io/svg_writer.h"
 #include "tests/support/panel_test.h"
+#include "ui/figures/caption_text.h"
+#include "ui/panels/controls/player.h"
 #include "ui/sheets/properties_panel.h"
 
 #include <QPushButton>
@@ -23,12 +27,24 @@ class CombinedPropertiesTest : public test::PanelTest {
     }
     void selectMiddle(int pair) { editor().select({{editor().activeSerial(), {GripKind::middle, pair}}}); }
 
+    [[nodiscard]] bool isExported(const char* layer) {
+        const std::string svg = writeSheetSvg(editor().documentOnView(), 3, textSource());
+        return svg.find("<g id=\"layer-" + std::string(layer) + "\"") != std::string::npos;
+    }
+    [[nodiscard]] bool says(const char* text) {
+        for (const QLabel* label : properties.findChildren<QLabel*>())
+            if (label->text() == QLatin1String(text))
+                return true;
+        return false;
+    }
+
     PropertiesPanel& properties = panel<PropertiesPanel>();
     QComboBox& method = named<QComboBox>(properties, "Method");
     QComboBox& basis = named<QComboBox>(properties, "Basis");
     QSlider& slider = named<QSlider>(properties, "Degree");
     NumberField& degree = named<NumberField>(properties, "Degree");
     QPushButton& automatic = *properties.findChild<QPushButton*>();
+    Player& player = *properties.findChild<Player*>();
     const CombinedCurve before = value<CombinedCurve>(); // approximated by cubics
 };
 
@@ -100,6 +116,60 @@ TEST_F(CombinedPropertiesTest, isDisabledInAnEmptySheet) {
     document().undo();
     EXPECT_TRUE(method.isEnabled());
     EXPECT_TRUE(degree.isEnabled());
+}
+
+TEST_F(CombinedPropertiesTest, thePlayerStepsThroughTheAlgorithm) {
+    EXPECT_EQ(player.stage(), kCombinedStages - 1);
+    EXPECT_TRUE(says("5 of 5: the whole curve"));
+    click(*player.findChild<QToolButton*>(QStringLiteral("back")));
+    EXPECT_TRUE(says("4 of 5: joins between the runs"));
+    EXPECT_FALSE(isExported("curve"));
+    EXPECT_TRUE(isExported("joins"));
+    player.setFocus();
+    QTest::keyClick(&player, Qt::Key_Left);
+    EXPECT_TRUE(isExported("polynomials"));
+    EXPECT_FALSE(isExported("joins"));
+    QTest::keyClick(&player, Qt::Key_Left);
+    EXPECT_TRUE(isExported("run-polygons"));
+    QTest::keyClick(&player, Qt::Key_Left);
+    EXPECT_TRUE(isExported("points"));
+    EXPECT_FALSE(isExported("run-numbers"));
+    expectNoStep(before);
+    EXPECT_FALSE(document().isModified());
+}
+
+TEST_F(CombinedPropertiesTest, theStageIsOnTheCanvasAndStaysWhileAPointIsPulled) {
+    const auto canvas = [&] {
+        QApplication::processEvents();
+        return tab.canvas().viewport()->grab().toImage();
+    };
+    const QImage whole = canvas();
+    QTest::keyClick(&player, Qt::Key_Left);
+    QTest::keyClick(&player, Qt::Key_Left);
+    EXPECT_NE(canvas(), whole);
+    editor().placePoint(1, {0.5, 0.5});
+    EXPECT_EQ(editor().layerStage(), 2);
+    document().undo();
+    EXPECT_EQ(player.stage(), 2);
+    QTest::keyClick(&player, Qt::Key_Right);
+    QTest::keyClick(&player, Qt::Key_Right);
+    EXPECT_EQ(editor().layerStage(), std::nullopt);
+    EXPECT_EQ(canvas(), whole);
+}
+
+TEST_F(CombinedPropertiesTest, theStageEndsWithItsCurve) {
+    player.tick(); // over and over: from the whole to the points
+    EXPECT_EQ(player.stage(), 0);
+    editor().newCurve();
+    EXPECT_EQ(editor().layerStage(), std::nullopt);
+    EXPECT_FALSE(player.isEnabled()); // nothing to step through yet
+    editor().addPoint({0, 0});
+    EXPECT_TRUE(player.isEnabled());
+    EXPECT_EQ(player.stage(), kCombinedStages - 1);
+}
+
+TEST_F(CombinedPropertiesTest, aStageCannotBeKept) {
+    EXPECT_FALSE(player.findChild<QToolButton*>(QStringLiteral("keep"))->isVisible());
 }
 
 } // namespace

@@ -133,5 +133,24 @@ TEST_F(SplinePropertiesTest, isDisabledInAnEmptySheetAndShowsAHalfDrawnChain) {
     EXPECT_TRUE(value<SplineCurve>().closed);
 }
 
+TEST_F(SplinePropertiesTest, theCombIsScaledWithoutAStep) {
+    QSlider& scale = named<QSlider>(properties, "Scale of the comb");
+    NumberField& field = named<NumberField>(properties, "Scale of the comb");
+    EXPECT_FALSE(scale.isEnabled()); // there is no comb yet
+    for (QCheckBox* box : properties.findChildren<QCheckBox*>())
+        if (box->text() == QStringLiteral("Show the curvature comb"))
+            click(*box);
+    EXPECT_TRUE(editor().sheet().view.layers.at("curvature-comb"));
+    EXPECT_TRUE(scale.isEnabled());
+    type(field, "2.5");
+    EXPECT_EQ(editor().sheet().view.combScale, 2.5);
+    dragHandle(scale, 20);
+    EXPECT_GT(editor().sheet().view.combScale, 2.5);
+    type(field, "0");
+    EXPECT_GT(editor().sheet().view.combScale, 2.5);
+    expectNoStep(before);
+    EXPECT_FALSE(document().isModified());
+}
+
 } // namespace
 } // namespace kriva::ui

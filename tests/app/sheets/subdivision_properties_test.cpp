@@ -144,6 +144,35 @@ TEST_F(SubdivisionPropertiesTest, theBlossomTakesAsManyArgumentsAsTheDegree) {
     EXPECT_TRUE(curve() == Curve(with));
 }
 
+TEST_F(SubdivisionPropertiesTest, furtherParametersAreOfTheViewAndShownAtOnce) {
+    QLineEdit& further = named<QLineEdit>(properties, "Further t");
+    EXPECT_EQ(further.text(), QString());
+    type(further, "0,25; 0.75");
+    EXPECT_EQ(editor().sheet().view.parameters, (std::vector<double>{0.25, 0.75}));
+    EXPECT_EQ(further.text(), QStringLiteral("0.25; 0.75"));
+    const Figure figure = figureOf(editor().sheet(), 1);
+    const auto layer = std::ranges::find(figure.layers, "further-constructions", &Layer::name);
+    ASSERT_NE(layer, figure.layers.end());
+    EXPECT_EQ(layer->strokes.size(), 4u);
+    expectNoStep(before);
+    EXPECT_FALSE(document().isModified());
+    type(further, "");
+    EXPECT_TRUE(editor().sheet().view.parameters.empty());
+}
+
+TEST_F(SubdivisionPropertiesTest, furtherParametersBetweenNoughtAndOneAloneAreTaken) {
+    QLineEdit& further = named<QLineEdit>(properties, "Further t");
+    document().setParameters(1, {0.5});
+    EXPECT_EQ(further.text(), QStringLiteral("0.5"));
+    const QSignalSpy hints(&editor(), &SheetEditor::hint);
+    for (const char* text : {"1", "0", "0.5; t", ".1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1"}) {
+        type(further, text);
+        EXPECT_EQ(further.text(), QStringLiteral("0.5")) << text;
+    }
+    EXPECT_EQ(hints.count(), 4);
+    EXPECT_EQ(editor().sheet().view.parameters, std::vector<double>{0.5});
+}
+
 TEST_F(SubdivisionPropertiesTest, isDisabledInAnEmptySheetAndShowsAHalfDrawnCurve) {
     editor().clear();
     for (const QWidget* field : std::initializer_list<QWidget*>{&t, &levels, &multiplicity, &arguments})

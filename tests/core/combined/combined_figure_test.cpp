@@ -1,11 +1,15 @@
+#include "core/combined/combined.h"
 #include "core/combined/combined_figure.h"
-
-#include <gtest/gtest.h>
+#include "core/document/document.h"
 
 #include <algorithm>
+#include <gmock/gmock.h>
 
 namespace kriva {
 namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
 
 CombinedCurve threeRuns(CombinedCurve::Method method) {
     CombinedCurve curve;
@@ -67,6 +71,53 @@ TEST(CombinedFigure, showsThePointsOfACurveWithoutPieces) {
     const Figure figure = figureOf(curve, {});
     EXPECT_EQ(layerOf(figure, "points").marks[0].at, curve.points);
     EXPECT_EQ(layerOf(figure, "labels").labels.size(), 1u);
+}
+
+std::vector<std::string_view> namesAt(std::optional<int> stage, const SheetView& view = {}) {
+    Sheet sheet;
+    sheet.curves = {threeRuns(CombinedCurve::Method::pairs)};
+    sheet.view = view;
+    sheet.stage = stage;
+    std::vector<std::string_view> names;
+    for (const Layer& layer : figureOf(sheet, 3).layers)
+        names.push_back(layer.name);
+    return names;
+}
+
+TEST(CombinedFigure, stagesBringTheLayersOneAfterTheOther) {
+    EXPECT_THAT(namesAt(0), ElementsAre("given-polygon", "points", "labels"));
+    EXPECT_THAT(namesAt(1), ElementsAre("given-polygon", "run-polygons", "points", "run-numbers", "labels"));
+    EXPECT_THAT(namesAt(2), ElementsAre("given-polygon", "polynomials", "points", "run-numbers", "labels"));
+    EXPECT_THAT(namesAt(3),
+                ElementsAre("given-polygon", "runs", "joins", "middle-points", "points", "run-numbers", "labels"));
+    EXPECT_EQ(namesAt(kCombinedStages - 1), namesAt({}));
+}
+
+TEST(CombinedFigure, stagesShowNothingThatIsSwitchedOff) {
+    SheetView view;
+    view.layers = {{"run-polygons", false}, {"labels", false}, {"polynomials", true}};
+    EXPECT_THAT(namesAt(1, view), ElementsAre("given-polygon", "points", "run-numbers"));
+    EXPECT_THAT(namesAt(2, view), ElementsAre("given-polygon", "polynomials", "points", "run-numbers"));
+    EXPECT_THAT(namesAt(3, view), Contains("polynomials"));
+}
+
+TEST(CombinedFigure, aStageIsOfTheActiveCurveAlone) {
+    Sheet sheet;
+    sheet.curves = {CombinedCurve{}, threeRuns(CombinedCurve::Method::pairs)};
+    sheet.stage = 0;
+    EXPECT_FALSE(layerOf(figureOf(sheet, 3), "curve").strokes.empty());
+}
+
+TEST(CombinedFigure, drawsTheRunsPolygonsAndPolynomials) {
+    const CombinedCurve curve = threeRuns(CombinedCurve::Method::pairs);
+    const Figure figure = figureOf(curve, {});
+    const Layer& polygons = layerOf(figure, "run-polygons");
+    ASSERT_EQ(polygons.strokes.size(), 3u);
+    EXPECT_EQ(polygons.strokes[0].path.points, (Points{{0, 0}, {1, 2}, {3, 1}}));
+    EXPECT_EQ(polygons.strokes[1].series, 1);
+    const Layer& polynomials = layerOf(figure, "polynomials");
+    ASSERT_EQ(polynomials.strokes.size(), 2u);
+    EXPECT_EQ(polynomials.strokes[0].path, chain(combine(curve).runs[0].parts, false));
 }
 
 TEST(CombinedFigure, leavesOutWhatDoublesCannotHold) {

@@ -162,6 +162,33 @@ TEST(ReadDocument, refusesViewsOfSheetsItDoesNotKnow) {
     EXPECT_EQ(refusal(R"({"layers":{"pieces":true}})").problem, FileProblem::unknownKey); // a layer of another sheet
     EXPECT_EQ(refusal(R"({"activeCurve":1000})").problem, FileProblem::expectedWholeNumber);
     EXPECT_EQ(refusal(R"({"mmPerUnit":0})").problem, FileProblem::numberOutOfRange);
+    EXPECT_EQ(refusal(R"({"stage":1})").problem, FileProblem::unknownKey); // of the moment
+}
+
+TEST(ReadDocument, refusesNumbersOfViewsThatAreOutOfRange) {
+    struct Case {
+        std::string view;
+        FileProblem problem;
+        std::string place;
+    };
+    std::string tooMany = "0.5";
+    for (std::size_t i = 0; i < kMostParameters; ++i)
+        tooMany += ",0.5";
+    const std::vector<Case> cases{
+        {R"({"combScale":0})", FileProblem::numberOutOfRange, "combScale"},
+        {R"({"combScale":100.5})", FileProblem::numberOutOfRange, "combScale"},
+        {R"({"combScale":"1"})", FileProblem::expectedNumber, "combScale"},
+        {R"({"parameters":0.5})", FileProblem::expectedList, "parameters"},
+        {R"({"parameters":[0.5,1]})", FileProblem::numberOutOfOpenRange, "parameters[1]"},
+        {R"({"parameters":[0]})", FileProblem::numberOutOfOpenRange, "parameters[0]"},
+        {R"({"parameters":["t"]})", FileProblem::expectedNumber, "parameters[0]"},
+        {R"({"parameters":[)" + tooMany + "]}", FileProblem::tooMany, "parameters"},
+    };
+    for (const Case& bad : cases) {
+        const FileError error = refusalOf(withMembers(R"("sheets":{"spline":{"view":)" + bad.view + "}}"));
+        EXPECT_EQ(error.problem, bad.problem) << bad.view;
+        EXPECT_EQ(error.place, "sheets.spline.view." + bad.place) << bad.view;
+    }
 }
 
 TEST(ReadDocument, takes1000CurvesInASheetAndNoMore) {
@@ -191,6 +218,8 @@ TEST(WriteDocument, readsBackBitForBit) {
     curve.view.isShown = false;
     document.sheets[0].curves = {curve};
     document.sheets[0].view.layers["labels"] = false;
+    document.sheets[1].view.parameters = {0.25, 1.0 / 3};
+    document.sheets[2].view.combScale = 2.5;
     const std::string text = writeDocument(document);
     const auto read = readDocument(text);
     ASSERT_TRUE(std::holds_alternative<Document>(read)) << text;

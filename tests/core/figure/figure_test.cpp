@@ -29,12 +29,29 @@ TEST(Figure, unitesLayersByNameInTheOrderOfTheTable) {
 TEST(Figure, hidesWhatIsOffAtFirstOrSwitchedOffOrOfTheActiveCurveOnly) {
     const Figure figure{{{"low"}, {"off"}, {"own"}, {"high"}}};
     SheetView view;
-    EXPECT_EQ(names(shownLayers(figure, kTable, view, {0, true})),
+    EXPECT_EQ(names(shownLayers(figure, kTable, {0, true, &view})),
               (std::vector<std::string_view>{"low", "own", "high"}));
-    EXPECT_EQ(names(shownLayers(figure, kTable, view, {0, false})), (std::vector<std::string_view>{"low", "high"}));
+    EXPECT_EQ(names(shownLayers(figure, kTable, {0, false, &view})), (std::vector<std::string_view>{"low", "high"}));
     view.layers = {{"low", false}, {"off", true}};
-    EXPECT_EQ(names(shownLayers(figure, kTable, view, {0, true})),
+    EXPECT_EQ(names(shownLayers(figure, kTable, {0, true, &view})),
               (std::vector<std::string_view>{"off", "own", "high"}));
+}
+
+TEST(Figure, stagesHideWhatComesLaterAndShowWhatTheyBring) {
+    constexpr std::array table{LayerInfo{"given"}, LayerInfo{"step", Caption::none, false, true, 1},
+                               LayerInfo{"whole", Caption::none, true, false, 2}};
+    const Figure figure{{{"given"}, {"step"}, {"whole"}}};
+    SheetView view;
+    const auto at = [&](std::optional<int> stage) {
+        return names(shownLayers(figure, table, {0, true, &view, stage}));
+    };
+    using Names = std::vector<std::string_view>;
+    EXPECT_EQ(at(0), (Names{"given"}));
+    EXPECT_EQ(at(1), (Names{"given", "step"}));
+    EXPECT_EQ(at(2), (Names{"given", "whole"}));
+    EXPECT_EQ(at({}), (Names{"given", "whole"}));
+    view.layers = {{"step", false}, {"given", false}};
+    EXPECT_EQ(at(1), Names{});
 }
 
 TEST(Figure, boxHoldsCurvesNotTheirControlPoints) {

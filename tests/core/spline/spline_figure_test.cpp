@@ -1,3 +1,4 @@
+#include "core/document/document.h"
 #include "core/spline/spline_edits.h"
 #include "core/spline/spline_figure.h"
 #include "tests/core/spline/spline_values.h"
@@ -65,6 +66,25 @@ TEST(SplineFigure, showsTheKnotsOfACurveStillBeingDrawn) {
 TEST(SplineFigure, leavesOutLabelsThatWouldCoverEachOther) {
     EXPECT_TRUE(find(figureOf(curveThrough(Rule::mirror, Points(1000, {1, 2})), {}), "labels"));
     EXPECT_FALSE(find(figureOf(curveThrough(Rule::mirror, Points(1001, {1, 2})), {}), "labels"));
+}
+
+TEST(SplineFigure, derivedLayersAreOffAtFirst) {
+    const SplineCurve curve = curveThrough(Rule::natural, {{0, 0}, {3, 3}, {6, 0}});
+    SheetView view;
+    for (const char* name : {"curvature-comb", "all-rules", "inflections", "continuity"}) {
+        EXPECT_FALSE(find(figureOf(curve, {0, true, &view}), name)) << name;
+        view.layers[name] = true;
+        EXPECT_TRUE(find(figureOf(curve, {0, true, &view}), name)) << name;
+        EXPECT_FALSE(find(figureOf(curve, {0, false, &view}), name)) << name;
+    }
+}
+
+TEST(SplineFigure, crossingsAreNotLookedForWhereTheirLayerIsOff) {
+    Sheet sheet;
+    sheet.curves = {curveThrough(Rule::mirror, {{0, 0}, {6, 0}, {3, 3}, {3, -3}})};
+    EXPECT_TRUE(find(figureOf(sheet, 2), "crossings"));
+    sheet.view.layers["crossings"] = false;
+    EXPECT_EQ(figureOf(sheet, 2), figureOfCurves(sheet, 2));
 }
 
 } // namespace

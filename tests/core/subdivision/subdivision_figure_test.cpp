@@ -141,6 +141,21 @@ TEST(SubdivisionFigure, partialCurvesAreOffAtFirstAndMeetTheLineThroughThePoint)
     EXPECT_EQ(layer.strokes[2].path, polyline(Points{{2, 1.5}, {5, 1.5}}));
 }
 
+TEST(SubdivisionFigure, drawsTheSchemesAtFurtherParametersEachFainter) {
+    SheetView view;
+    view.parameters = {0.25, 0.75};
+    const Figure figure = figureOf(example(), {0, true, &view});
+    const auto layer = std::ranges::find(figure.layers, "further-constructions", &Layer::name);
+    ASSERT_NE(layer, figure.layers.end());
+    ASSERT_EQ(layer->strokes.size(), 4u); // two rows of each
+    EXPECT_EQ(layer->strokes[0].path, polyline(deCasteljau(example().points, 0.25)[1]));
+    EXPECT_EQ(layer->strokes[3].path, polyline(deCasteljau(example().points, 0.75)[2]));
+    EXPECT_LT(layer->strokes[0].strength, 1);
+    EXPECT_LT(layer->strokes[2].strength, layer->strokes[0].strength);
+    EXPECT_EQ(layer->marks.at(0).at.size(), 2u);
+    EXPECT_THAT(layerNamed("further-constructions", example()).strokes, IsEmpty());
+}
+
 TEST(SubdivisionFigure, aLineHasNoPartialCurves) {
     SubdivisionCurve curve = example();
     curve.points.resize(2);

@@ -14,8 +14,8 @@
 namespace kriva::ui {
 namespace {
 
-int interval(double speed) {
-    return static_cast<int>(1000 / (kStagesPerSecond * speed));
+int interval(double stagesPerSecond) {
+    return static_cast<int>(1000 / stagesPerSecond);
 }
 
 } // namespace
@@ -59,7 +59,7 @@ Player::Player(QWidget* parent)
     scrubber_->installEventFilter(this);
     scrubber_->setObjectName(QStringLiteral("scrubber"));
     setFocusPolicy(Qt::StrongFocus);
-    timer_.setInterval(interval(speedFactor_));
+    timer_.setInterval(interval(pace_ * speedFactor_));
 
     connect(&timer_, &QTimer::timeout, this, &Player::tick);
     connect(play_, &QToolButton::clicked, this, &Player::toggle);
@@ -85,6 +85,11 @@ QToolButton* Player::button(const char* name) {
     return made;
 }
 
+void Player::setPace(double stagesPerSecond) {
+    pace_ = stagesPerSecond;
+    timer_.setInterval(interval(pace_ * speedFactor_));
+}
+
 void Player::setLast(int last) {
     clock_.last = last;
     clock_.stage = std::min(clock_.stage, last);
@@ -98,7 +103,7 @@ void Player::setStage(int stage) {
 
 void Player::setSpeed(double factor) {
     speedFactor_ = std::clamp(factor, kSlowest, kFastest);
-    timer_.setInterval(interval(speedFactor_));
+    timer_.setInterval(interval(pace_ * speedFactor_));
     showState();
 }
 

@@ -16,6 +16,10 @@ class Player : public QFrame {
   public:
     explicit Player(QWidget* parent = nullptr);
 
+    /// How many stages a second at speed 1: many where they flow into each other, few where each is to be read.
+    void setPace(double stagesPerSecond);
+    /// Where a stage is nothing that a document could keep, "Keep this stage" is not offered.
+    void setKeepable(bool isKeepable) { keep_->setVisible(isKeepable); }
     /// Stages from 0 to `last`; a player with one stage only is disabled. A disabled player does not play.
     void setLast(int last);
     /// Shows a stage without telling anyone.
@@ -46,6 +50,7 @@ class Player : public QFrame {
     bool takeKey(int key);
 
     PlayerClock clock_;
+    double pace_ = kStagesPerSecond;
     double speedFactor_ = 1;
     QTimer timer_;
     QToolButton* back_;

@@ -20,7 +20,7 @@ struct PlayerClock {
 
 inline constexpr double kSlowest = 0.25;
 inline constexpr double kFastest = 16;
-/// Stages a second at speed 1.
+/// Stages a second at speed 1, unless a player has a pace of its own.
 inline constexpr double kStagesPerSecond = 8;
 
 } // namespace kriva::ui

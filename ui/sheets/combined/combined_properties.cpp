@@ -1,9 +1,14 @@
 #include "ui/sheets/combined/combined_properties.h"
 
+#include "core/combined/combined_figure.h"
 #include "core/document/limits.h"
 
 namespace kriva::ui {
 namespace {
+
+constexpr int kLastStage = kCombinedStages - 1;
+/// Each stage is something to look at.
+constexpr double kCalmPace = 0.75;
 
 /// The curve with one member set to another value.
 template <class Member>
@@ -38,7 +43,39 @@ CombinedProperties::CombinedProperties(SheetEditor& editor, QWidget* parent)
     addHeading(QT_TRANSLATE_NOOP("Properties", "Corrected pairs"));
     addWide(automatic_);
     connect(automatic_, &QPushButton::clicked, this, &CombinedProperties::dropCorrections);
+    makePlayer();
     finish();
+}
+
+void CombinedProperties::makePlayer() {
+    addHeading(QT_TRANSLATE_NOOP("Properties", "The algorithm step by step"));
+    stageName_ = new QLabel(this);
+    player_ = new Player(this); // here, so that Tab comes to it last
+    addWide(stageName_);
+    addWide(player_);
+    player_->setKeepable(false); // a stage hides layers: there is nothing to write
+    player_->setPace(kCalmPace);
+    connect(player_, &Player::stageChanged, this, &CombinedProperties::showStage);
+}
+
+void CombinedProperties::showStage(int stage) {
+    editor().setLayerStage(stage < kLastStage ? std::optional(stage) : std::nullopt);
+    showState();
+}
+
+QString CombinedProperties::stageName(int stage) {
+    switch (stage) {
+    case 0:
+        return tr("1 of 5: the given points");
+    case 1:
+        return tr("2 of 5: monotone runs");
+    case 2:
+        return tr("3 of 5: a polynomial for each run");
+    case 3:
+        return tr("4 of 5: joins between the runs");
+    default:
+        return tr("5 of 5: the whole curve");
+    }
 }
 
 void CombinedProperties::retranslateFields() {
@@ -53,6 +90,9 @@ void CombinedProperties::showCurve() {
     degree_->setValue(value.degree);
     degree_->setEnabled(value.method != CombinedCurve::Method::interpolation);
     basis_->setCurrentIndex(static_cast<int>(value.basis));
+    player_->setLast(isIncomplete(value) ? 0 : kLastStage);
+    player_->setStage(editor().layerStage().value_or(kLastStage));
+    stageName_->setText(stageName(player_->stage()));
     automatic_->setEnabled(!value.corrections.empty() && value.method == CombinedCurve::Method::pairs);
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
+#include "ui/panels/controls/player.h"
 #include "ui/sheets/properties_panel.h"
 
 #include <QPushButton>
 
 namespace kriva::ui {
 
-/// The method, the degree of the approximation, the basis of the coefficients, and the way back from corrections.
+/// The method, the degree of the approximation, the basis of the coefficients, the way back from corrections, and a
+/// player over the stages of the algorithm.
 class CombinedProperties : public PropertiesPanel {
     Q_OBJECT
   public:
@@ -18,11 +20,16 @@ class CombinedProperties : public PropertiesPanel {
 
   private:
     void dropCorrections();
+    void makePlayer();
+    void showStage(int stage);
+    [[nodiscard]] static QString stageName(int stage);
 
     QComboBox* method_;
     SliderField* degree_;
     QComboBox* basis_;
     QPushButton* automatic_;
+    QLabel* stageName_ = nullptr;
+    Player* player_ = nullptr;
 };
 
 } // namespace kriva::ui

@@ -10,6 +10,9 @@
 namespace kriva::ui {
 namespace {
 
+constexpr double kStepOfComb = 0.1;
+constexpr double kUsualCombs = 5; // times the automatic scale: longer teeth leave the canvas
+
 const SplineCurve& valueOf(const Curve& curve) {
     return std::get<SplineCurve>(curve);
 }
@@ -51,7 +54,18 @@ SplineProperties::SplineProperties(SheetEditor& editor, QWidget* parent)
     addHeading(QT_TRANSLATE_NOOP("Properties", "End derivatives"));
     start_ = addDerivative(QT_TRANSLATE_NOOP("Properties", "Start"), End::start);
     end_ = addDerivative(QT_TRANSLATE_NOOP("Properties", "End"), End::end);
+    addComb();
     finish();
+}
+
+void SplineProperties::addComb() {
+    addHeading(QT_TRANSLATE_NOOP("Properties", "Curvature comb"));
+    showsComb_ = addLayerBox("curvature-comb");
+    combScale_ = new SliderField(this);
+    addRow(QT_TRANSLATE_NOOP("Properties", "Scale of the comb"), combScale_);
+    combScale_->setRange({kLeastCombScale, kMostCombScale, false, false});
+    combScale_->setSlider(kStepOfComb, kUsualCombs, kStepOfComb);
+    bindView(combScale_, [this](double scale) { editor().document().setCombScale(editor().index(), scale); });
 }
 
 SplineProperties::DerivativeRow SplineProperties::addDerivative(const char* label, End end) {
@@ -91,6 +105,7 @@ void SplineProperties::setDerivative(End end, std::optional<Vector> derivative) 
 
 void SplineProperties::retranslateFields() {
     closed_->setText(tr("Closed"));
+    showsComb_->setText(tr("Show the curvature comb"));
     for (const DerivativeRow& row : {start_, end_}) {
         row.isGiven->setToolTip(tr("Given here; otherwise that of the natural spline"));
         row.isGiven->setAccessibleName(tr("Given"));
@@ -110,6 +125,8 @@ void SplineProperties::showCurve() {
     join_->setEnabled(!knots.empty() && value.degree > 2);
     if (!knots.empty())
         join_->setCurrentIndex(static_cast<int>(value.knots[static_cast<std::size_t>(knots.front())].join));
+    combScale_->setValue(editor().sheet().view.combScale);
+    combScale_->setEnabled(showsComb_->isChecked());
     showDerivative(start_, End::start);
     showDerivative(end_, End::end);
 }

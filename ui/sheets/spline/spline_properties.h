@@ -13,7 +13,8 @@ inline constexpr std::array kJoinTexts = {
     QT_TRANSLATE_NOOP("Properties", "Automatic"), QT_TRANSLATE_NOOP("Properties", "Symmetric"),
     QT_TRANSLATE_NOOP("Properties", "Smooth"), QT_TRANSLATE_NOOP("Properties", "Corner")};
 
-/// The rule, the degree, whether the chain is closed, the joins of the selected knots, and the end derivatives.
+/// The rule, the degree, whether the chain is closed, the joins of the selected knots, the end derivatives, and the
+/// curvature comb.
 class SplineProperties : public PropertiesPanel {
     Q_OBJECT
   public:
@@ -33,6 +34,7 @@ class SplineProperties : public PropertiesPanel {
     enum class End { start, end };
 
     DerivativeRow addDerivative(const char* label, End end);
+    void addComb();
     void showDerivative(const DerivativeRow& row, End end);
     void setDerivative(End end, std::optional<Vector> derivative);
     [[nodiscard]] std::optional<Vector> givenDerivative(End end) const;
@@ -43,6 +45,8 @@ class SplineProperties : public PropertiesPanel {
     QComboBox* join_;
     DerivativeRow start_;
     DerivativeRow end_;
+    QCheckBox* showsComb_ = nullptr;
+    SliderField* combScale_ = nullptr;
 };
 
 } // namespace kriva::ui

@@ -25,7 +25,7 @@ SubdivisionProperties::SubdivisionProperties(SheetEditor& editor, QWidget* paren
     : PropertiesPanel(editor, parent)
     , t_(new SliderField(this))
     , levels_(new SliderField(this))
-    , showsCurve_(new QCheckBox(this))
+    , further_(new QLineEdit(this))
     , multiplicity_(new NumberField(this))
     , hasBlossom_(new QCheckBox(this))
     , blossom_(new QLineEdit(this))
@@ -47,9 +47,11 @@ void SubdivisionProperties::makeRows() {
     bind(levels_,
          [](const Curve& curve, double levels) { return Curve(withLevels(valueOf(curve), static_cast<int>(levels))); },
          {QT_TRANSLATE_NOOP("Step", "Set the levels")});
-    addWide(showsCurve_);
-    connect(showsCurve_, &QCheckBox::toggled, this,
-            [this](bool on) { editor().document().setLayerShown(editor().index(), "curve", on); });
+    addRow(QT_TRANSLATE_NOOP("Properties", "Further t"), further_);
+    connect(further_, &QLineEdit::editingFinished, this, &SubdivisionProperties::takeFurther);
+    showsCurve_ = addLayerBox("curve");
+    setTabOrder(further_, showsCurve_);
+    setTabOrder(showsCurve_, multiplicity_);
     addRow(QT_TRANSLATE_NOOP("Properties", "Multiplicity of the selected point"), multiplicity_);
     connect(multiplicity_, &NumberField::valueCommitted, this, [this](double times) {
         SubdivisionCurve changed = curve<SubdivisionCurve>();
@@ -91,6 +93,7 @@ void SubdivisionProperties::makePlayer() {
 
 void SubdivisionProperties::retranslateFields() {
     showsCurve_->setText(tr("Show the curve"));
+    further_->setToolTip(tr("Shows the de Casteljau scheme at these t as well, like 0.25; 0.75"));
     hasBlossom_->setText(tr("Show the blossom"));
     playedBox_->setItemText(0, tr("Parameter t"));
     playedBox_->setItemText(1, tr("Levels"));
@@ -103,10 +106,7 @@ void SubdivisionProperties::showCurve() {
     levels_->setRange({0, static_cast<double>(most), false, true});
     levels_->setSlider(0, most, 1);
     levels_->setValue(value.levels);
-    const QSignalBlocker blocker(showsCurve_);
-    for (const LayerInfo& layer : layersOf(editor().index()))
-        if (layer.name == "curve")
-            showsCurve_->setChecked(isShown(layer, editor().sheet().view));
+    showFurther();
     showMultiplicity();
     showBlossom();
     const bool overT = played() == Played::t;
@@ -145,6 +145,26 @@ void SubdivisionProperties::takeBlossom() {
     else
         Q_EMIT editor().hint({QT_TRANSLATE_NOOP("Hint", "The blossom needs as many numbers as the degree")});
     showBlossom();
+}
+
+void SubdivisionProperties::showFurther() {
+    if (!further_->isModified())
+        further_->setText(blossomText(editor().sheet().view.parameters));
+}
+
+void SubdivisionProperties::takeFurther() {
+    if (!further_->isModified())
+        return;
+    further_->setModified(false);
+    const auto isBetween = [](double t) { return t > 0 && t < 1; };
+    const std::optional<std::vector<double>> parameters =
+        further_->text().trimmed().isEmpty() ? std::vector<double>() : blossomArguments(further_->text());
+    if (parameters && parameters->size() <= kMostParameters && std::ranges::all_of(*parameters, isBetween))
+        editor().document().setParameters(editor().index(), *parameters);
+    else
+        Q_EMIT editor().hint({QT_TRANSLATE_NOOP("Hint", "Further t are numbers between 0 and 1, at most %1 of them"),
+                              static_cast<double>(kMostParameters)});
+    showFurther();
 }
 
 Curve SubdivisionProperties::stageCurve(int stage) const {

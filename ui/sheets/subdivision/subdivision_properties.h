@@ -8,8 +8,8 @@
 
 namespace kriva::ui {
 
-/// Where the curve is cut and how often, whether it is shown, how often the selected points stand, the blossom's
-/// arguments, and a player over t or over the levels.
+/// Where the curve is cut and how often, at which further t its scheme is shown, whether the curve is shown, how often
+/// the selected points stand, the blossom's arguments, and a player over t or over the levels.
 class SubdivisionProperties : public PropertiesPanel {
     Q_OBJECT
   public:
@@ -28,6 +28,8 @@ class SubdivisionProperties : public PropertiesPanel {
     void showMultiplicity();
     void showBlossom();
     void takeBlossom();
+    void showFurther();
+    void takeFurther();
     void showStage(int stage);
     void keepStage();
     [[nodiscard]] Curve stageCurve(int stage) const;
@@ -35,7 +37,8 @@ class SubdivisionProperties : public PropertiesPanel {
 
     SliderField* t_;
     SliderField* levels_;
-    QCheckBox* showsCurve_;
+    QLineEdit* further_;
+    QCheckBox* showsCurve_ = nullptr;
     NumberField* multiplicity_;
     QCheckBox* hasBlossom_;
     QLineEdit* blossom_;
