@@ -167,15 +167,19 @@ Box FigureItem::settle() {
 }
 
 void FigureItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
+    draw(*painter, option->exposedRect);
+}
+
+void FigureItem::draw(QPainter& painter, const QRectF& seen) const {
     const LabelFonts fonts = labelFonts(kPixelsPerPoint);
     for (const PreparedLayer& layer : layers_) {
         for (const PreparedStroke& stroke : layer.strokes)
-            kriva::ui::paint(*painter, stroke, option->exposedRect);
+            kriva::ui::paint(*painter, stroke, seen);
         for (const Stamps& marks : layer.marks)
-            kriva::ui::paint(*painter, marks, devicePixelRatio_);
-        painter->setPen(labelColor_);
+            kriva::ui::paint(painter, marks, devicePixelRatio_);
+        painter.setPen(labelColor_);
         for (const PlacedLabel& label : layer.labels)
-            paintLabel(*painter, label, kPixelsPerMillimetre * toQt(label.baseline), fonts);
+            paintLabel(painter, label, kPixelsPerMillimetre * toQt(label.baseline), fonts);
     }
 }
 

@@ -40,6 +40,9 @@ class FigureItem : public QGraphicsItem {
     /// The polylines of the curve itself, by which it is taken hold of.
     [[nodiscard]] const std::vector<QPolygonF>& curveLines() const { return curveLines_; }
 
+    /// At least what is seen of it in the rectangle.
+    void draw(QPainter& painter, const QRectF& seen) const;
+
     [[nodiscard]] QRectF boundingRect() const override { return seen_; }
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 

@@ -24,7 +24,7 @@ std::vector<int> plottedTimes(int degree, int most) {
 
 Plot gapPlot(const ElevationCurve& curve) {
     const int degree = static_cast<int>(curve.points.size()) - 1;
-    Plot plot{Caption::gap, {.isLogarithmic = true, .variable = "N"}, {.isLogarithmic = true}, {}};
+    Plot plot{Caption::gap, {.isLogarithmic = true, .variable = "N"}, {.isLogarithmic = true, .variable = "δ"}, {}};
     Points gaps;
     ElevationCurve raised = curve;
     for (const int times : plottedTimes(degree, std::max(kUsualElevations, curve.times))) {
@@ -37,8 +37,8 @@ Plot gapPlot(const ElevationCurve& curve) {
         return plot;
     const double constant = gaps.back().x * gaps.back().y;
     const Points reference{{gaps.front().x, constant / gaps.front().x}, gaps.back()};
-    plot.lines.push_back({polyline(gaps), Role::plotLine, 0, Caption::gap});
-    plot.lines.push_back({polyline(reference), Role::reference, 0, Caption::none, "1/N"});
+    plot.lines.push_back({polyline(gaps), Role::plotLine, 0, Caption::none, "δ"});
+    plot.lines.push_back({polyline(reference), Role::reference, 0, Caption::none, "c/N"});
     plot.at = degree + curve.times;
     return withAxesFitted(std::move(plot));
 }

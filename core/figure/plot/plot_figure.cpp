@@ -171,7 +171,7 @@ void addMarks(const Plot& plot, const Box& frame, Figure& figure) {
     addLine(layer, {x, frame.ymin}, {x, frame.ymax}, Role::axis);
     Marks marks{{}, Role::plotMark};
     for (const PlotLine& line : plot.lines)
-        if (const std::optional<double> y = valueAt(line, *plot.at))
+        if (const std::optional<double> y = line.role == Role::reference ? std::nullopt : valueAt(line, *plot.at))
             if (const Point p = onPlot(plot, frame, {*plot.at, *y}); p.y >= frame.ymin && p.y <= frame.ymax)
                 marks.at.push_back(p);
     layer.marks.push_back(std::move(marks));

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
 namespace kriva {
 namespace {
 
@@ -13,7 +17,7 @@ TextSource comma() {
             char text[64];
             std::snprintf(text, sizeof text, "%.*f", decimals, std::abs(value));
             std::string number = text;
-            std::ranges::replace(number, '.', ',');
+            std::replace(number.begin(), number.end(), '.', ',');
             return (value < 0 ? "\u2212" : "") + number;
         },
         "de"};

@@ -50,7 +50,7 @@ QImage guideFigure(const QString& name, const GuideFigureLook& look) {
     image.fill(Qt::transparent);
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
-    item.paint(&painter, nullptr, nullptr);
+    item.draw(painter, sight.rectangle());
     return image;
 }
 

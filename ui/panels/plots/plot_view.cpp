@@ -5,7 +5,6 @@
 
 #include <QKeyEvent>
 #include <QPainter>
-#include <QStyleOptionGraphicsItem>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -100,9 +99,7 @@ void PlotView::paintEvent(QPaintEvent*) {
     item.setFigure(plotFigure({&shown, 1}, size));
     FrameLoad load;
     item.prepare(sight, pictures_, load);
-    QStyleOptionGraphicsItem option;
-    option.exposedRect = rect();
-    item.paint(&painter, &option, nullptr);
+    item.draw(painter, rect());
     if (hasFocus()) {
         painter.setRenderHint(QPainter::Antialiasing, false);
         painter.setPen(palette().color(QPalette::Highlight));

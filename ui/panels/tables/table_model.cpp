@@ -16,7 +16,7 @@ constexpr int kFullDigits = 17;
 [[nodiscard]] QString nameOf(const TableColumn& column) {
     const QString index = QString::fromStdString(column.index);
     if (column.caption == Caption::none)
-        return QString::fromStdString(column.letter) + index;
+        return QString::fromStdString(column.letter) + (column.index.empty() ? QString() : QLatin1Char('_') + index);
     return index.isEmpty() ? captionText(column.caption) : captionText(column.caption) + QLatin1Char(' ') + index;
 }
 

@@ -27,6 +27,7 @@ TablesPanel::TablesPanel(ShownSheet& sheet, Tables tables, QWidget* parent)
     view_->setModel(&model_);
     view_->setFrameShape(QFrame::NoFrame);
     view_->setAlternatingRowColors(true);
+    view_->setWordWrap(false);
     view_->verticalHeader()->hide();
     view_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     view_->horizontalHeader()->setResizeContentsPrecision(0); // as wide as what is seen needs
