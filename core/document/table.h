@@ -10,10 +10,16 @@
 /// Tables of numbers as plain values, for the Tables panel, spreadsheets and LaTeX.
 namespace kriva {
 
-/// A word of the field that is the same in every language ("C1", "b") is a literal text; nothing where there is no
-/// number to show.
+/// From one index to another, both included.
+struct IndexRange {
+    int first = 0;
+    int last = 0;
+    friend bool operator==(const IndexRange&, const IndexRange&) = default;
+};
+
+/// Nothing where there is no number to show.
 struct TableCell {
-    std::variant<std::monostate, double, int, std::string, Caption, Point> value;
+    std::variant<std::monostate, double, int, IndexRange, Caption, Point> value;
     bool isBest = false; ///< of its column
     friend bool operator==(const TableCell&, const TableCell&) = default;
 };

@@ -19,6 +19,10 @@ std::string shortest(double number) {
     return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
 }
 
+std::string rangeText(IndexRange range) {
+    return decimal(range.first) + "–" + decimal(range.last);
+}
+
 /// "B_0" as a spreadsheet has it.
 std::string nameOf(const TableColumn& column, const TextSource& texts) {
     if (column.caption != Caption::none)
@@ -28,7 +32,7 @@ std::string nameOf(const TableColumn& column, const TextSource& texts) {
 
 std::string plainCell(const TableCell& cell, const TextSource& texts) {
     return std::visit(Overloaded{[](std::monostate) { return std::string(); }, [](double v) { return shortest(v); },
-                                 [](int v) { return decimal(v); }, [](const std::string& v) { return v; },
+                                 [](int v) { return decimal(v); }, [](IndexRange v) { return rangeText(v); },
                                  [&](Caption v) { return texts.translate(v); }, [](Point) { return std::string(); }},
                       cell.value);
 }
@@ -115,19 +119,22 @@ std::string latexNumber(double value, const TextSource& texts) {
     return exponent == 0 ? text : text + " \\cdot 10^{" + shortest(exponent) + "}";
 }
 
+std::string latexPoint(Point p, const TextSource& texts) {
+    return std::string("(").append(latexNumber(p.x, texts)).append(";\\ ").append(latexNumber(p.y, texts)).append(")");
+}
+
 std::string latexCell(const TableCell& cell, const TextSource& texts) {
     const auto formula = [&](const std::string& text) {
         return text.empty() ? text : cell.isBest ? "$\\mathbf{" + text + "}$" : "$" + text + "$";
     };
     const auto words = [&](const std::string& text) {
-        return cell.isBest ? "\\textbf{" + latexText(text) + "}" : latexText(text);
+        return cell.isBest ? std::string("\\textbf{").append(latexText(text)).append("}") : latexText(text);
     };
     return std::visit(
         Overloaded{
             [](std::monostate) { return std::string(); }, [&](double v) { return formula(latexNumber(v, texts)); },
-            [&](int v) { return formula(decimal(v)); },
-            [&](Point v) { return formula("(" + latexNumber(v.x, texts) + ";\\ " + latexNumber(v.y, texts) + ")"); },
-            [&](const std::string& v) { return words(v); }, [&](Caption v) { return words(texts.translate(v)); }},
+            [&](int v) { return formula(decimal(v)); }, [&](Point v) { return formula(latexPoint(v, texts)); },
+            [&](IndexRange v) { return words(rangeText(v)); }, [&](Caption v) { return words(texts.translate(v)); }},
         cell.value);
 }
 
@@ -187,7 +194,7 @@ std::string writeDelimited(const Table& table, const TextSource& texts, char sep
 }
 
 std::string writeLatex(const Table& table, const TextSource& texts) {
-    std::string text = "\\begin{tabular}{" + alignments(table) + "}\n\\hline\n";
+    std::string text = std::string("\\begin{tabular}{").append(alignments(table)).append("}\n\\hline\n");
     std::vector<std::string> cells;
     for (const TableColumn& column : table.columns)
         cells.push_back(latexName(column, texts));

@@ -19,7 +19,7 @@ Table runsTable(const Combined& combined) {
     for (const CombinedRun& run : combined.runs) {
         std::vector<TableCell>& row = table.rows.emplace_back();
         row.push_back({static_cast<int>(table.rows.size()) - 1});
-        row.push_back({decimal(run.points.first) + "–" + decimal(run.points.last)});
+        row.push_back({IndexRange{run.points.first, run.points.last}});
         row.insert(row.end(), {{run.degree}, {run.rms}, {run.maxError}});
         for (const double coefficient : run.coefficients)
             row.push_back({coefficient});

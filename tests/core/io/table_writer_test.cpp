@@ -11,28 +11,29 @@ namespace {
 
 /// A language with a decimal comma and a minus of formulas.
 TextSource comma() {
-    return {
-        [](Caption caption) { return caption == Caption::length ? std::string("Länge, L") : std::string("Wort & so"); },
-        [](double value, int decimals) {
-            char text[64];
-            std::snprintf(text, sizeof text, "%.*f", decimals, std::abs(value));
-            std::string number = text;
-            std::replace(number.begin(), number.end(), '.', ',');
-            return (value < 0 ? "\u2212" : "") + number;
-        },
-        "de"};
+    return {[](Caption caption) {
+                return caption == Caption::length ? std::string("Länge, L") : std::string("Wort & \"so\"");
+            },
+            [](double value, int decimals) {
+                char text[64];
+                std::snprintf(text, sizeof text, "%.*f", decimals, std::abs(value));
+                std::string number = text;
+                std::replace(number.begin(), number.end(), '.', ',');
+                return (value < 0 ? "\u2212" : "") + number;
+            },
+            "de"};
 }
 
 const Table kTable{
     Caption::methods,
     {{Caption::none, "i", ""}, {Caption::length}, {Caption::none, "b", "2"}},
-    {{{0}, {-0.1}, {Point{3.5, 1.5}}}, {{1}, {1e-7, true}, {}}, {{2}, {std::string("a \"b\"")}, {Caption::curve}}}};
+    {{{0}, {-0.1}, {Point{3.5, 1.5}}}, {{1}, {1e-7, true}, {}}, {{2}, {IndexRange{2, 11}}, {Caption::curve}}}};
 
 TEST(TableWriter, writesDelimitedTextThatSpreadsheetsRead) {
     EXPECT_EQ(writeDelimited(kTable, comma()), "i,\"Länge, L\",b2 x,b2 y\n"
                                                "0,-0.1,3.5,1.5\n"
                                                "1,1e-07,,\n"
-                                               "2,\"a \"\"b\"\"\",Wort & so,\n");
+                                               "2,2–11,\"Wort & \"\"so\"\"\",\n");
 }
 
 TEST(TableWriter, writesLatexInTheLanguage) {
@@ -42,7 +43,7 @@ TEST(TableWriter, writesLatexInTheLanguage) {
                                            "\\hline\n"
                                            "$0$ & $-0{,}1$ & $(3{,}5;\\ 1{,}5)$ \\\\\n"
                                            "$1$ & $\\mathbf{1 \\cdot 10^{-7}}$ &  \\\\\n"
-                                           "$2$ & a \"b\" & Wort \\& so \\\\\n"
+                                           "$2$ & 2–11 & Wort \\& \"so\" \\\\\n"
                                            "\\hline\n"
                                            "\\end{tabular}\n");
 }

@@ -25,6 +25,8 @@ constexpr int kFullDigits = 17;
         [digits]<class Value>(const Value& value) {
             if constexpr (std::is_same_v<Value, std::monostate>)
                 return QString();
+            else if constexpr (std::is_same_v<Value, IndexRange>)
+                return QStringLiteral("%1–%2").arg(value.first).arg(value.last);
             else
                 return valueText(Result::Value(value), digits);
         },
@@ -32,7 +34,7 @@ constexpr int kFullDigits = 17;
 }
 
 [[nodiscard]] bool isWord(const TableCell& cell) {
-    return std::holds_alternative<std::string>(cell.value) || std::holds_alternative<Caption>(cell.value);
+    return std::holds_alternative<IndexRange>(cell.value) || std::holds_alternative<Caption>(cell.value);
 }
 
 } // namespace
