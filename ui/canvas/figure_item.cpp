@@ -174,7 +174,7 @@ void FigureItem::draw(QPainter& painter, const QRectF& seen) const {
     const LabelFonts fonts = labelFonts(kPixelsPerPoint);
     for (const PreparedLayer& layer : layers_) {
         for (const PreparedStroke& stroke : layer.strokes)
-            kriva::ui::paint(*painter, stroke, seen);
+            kriva::ui::paint(painter, stroke, seen);
         for (const Stamps& marks : layer.marks)
             kriva::ui::paint(painter, marks, devicePixelRatio_);
         painter.setPen(labelColor_);
