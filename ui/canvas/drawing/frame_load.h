@@ -39,7 +39,7 @@ struct FrameLoad {
     [[nodiscard]] double part() const { return std::max({points / kPoints, ink / kInk, marks / kMarks}); }
     [[nodiscard]] bool isTooMuch() const { return points > kPoints || ink > kInk || marks > kMarks; }
 
-    static constexpr double kPoints = 8'000;
+    static constexpr double kPoints = 5'000;
     static constexpr double kInk = 1'500'000;
     static constexpr double kMarks = 6'000;
 };
