@@ -10,6 +10,8 @@ namespace {
 
 constexpr int kDigits = 6; // of a coordinate: what a pointer can tell apart
 
+constexpr int kLabelMargin = 2;
+
 /// A place for a label whose text changes with every move of the pointer. In a layout of its own, each text would have
 /// the whole window laid out and painted anew. It grows with the texts but does not shrink, so that nothing jumps.
 class LabelPlace : public QWidget {
@@ -19,6 +21,7 @@ class LabelPlace : public QWidget {
         , label_(label)
         , grows_(grows) {
         label->setParent(this);
+        label->setMargin(kLabelMargin);
     }
     [[nodiscard]] QSize sizeHint() const override {
         const QSize needed = label_->sizeHint();
@@ -28,7 +31,8 @@ class LabelPlace : public QWidget {
 
   protected:
     bool event(QEvent* event) override {
-        if (event->type() == QEvent::LayoutRequest && grows_ && sizeHint().width() > width_) {
+        const bool mayHaveGrown = event->type() == QEvent::LayoutRequest || event->type() == QEvent::ShowToParent;
+        if (mayHaveGrown && grows_ && sizeHint().width() > width_) {
             width_ = sizeHint().width();
             updateGeometry();
         }
