@@ -46,14 +46,22 @@ PointsModel::PointsModel(SheetEditor& editor, std::vector<PointColumn> columns, 
     : QAbstractTableModel(parent)
     , editor_(editor)
     , columns_(std::move(columns)) {
-    connect(&editor.document(), &OpenDocument::replaced, this, &PointsModel::follow);
-    const auto ifMine = [this](SheetIndex sheet) {
+    // Another curve may have the same points with other joins.
+    const auto followAll = [this] {
+        follow();
+        tellChanged(0, rowCount() - 1);
+    };
+    const auto followAllOfMine = [this, followAll](SheetIndex sheet) {
+        if (sheet == editor_.index())
+            followAll();
+    };
+    connect(&editor.document(), &OpenDocument::replaced, this, followAll);
+    connect(&editor.document(), &OpenDocument::curvesChanged, this, followAllOfMine);
+    connect(&editor.document(), &OpenDocument::viewChanged, this, followAllOfMine);
+    connect(&editor.document(), &OpenDocument::curveChanged, this, [this](SheetIndex sheet) {
         if (sheet == editor_.index())
             follow();
-    };
-    connect(&editor.document(), &OpenDocument::curvesChanged, this, ifMine);
-    connect(&editor.document(), &OpenDocument::viewChanged, this, ifMine);
-    connect(&editor.document(), &OpenDocument::curveChanged, this, ifMine);
+    });
     follow();
 }
 
