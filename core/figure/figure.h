@@ -42,6 +42,11 @@ enum class Role {
     plotMark,  ///< on a line, where it is looked at
 };
 
+/// Whether it is the curve itself, or a part of it.
+[[nodiscard]] constexpr bool isOfCurve(Role role) {
+    return role == Role::curve || role == Role::run || role == Role::join;
+}
+
 /// A chain of Bézier pieces of any degrees: piece i has degrees[i] + 1 points and starts where the one before ended.
 struct Path {
     Points points;

@@ -14,10 +14,6 @@ namespace {
 // Pairs of a label and something it might cover that are looked at in a frame.
 constexpr double kMostPairs = 200'000;
 
-[[nodiscard]] bool isOfCurve(Role role) {
-    return role == Role::curve || role == Role::run || role == Role::join;
-}
-
 /// Faded towards the paper, so that strokes that cross themselves stay even.
 [[nodiscard]] QColor faded(const QColor& ink, const QColor& paper, double strength) {
     const auto mixed = [strength](float inkPart, float paperPart) {

@@ -11,10 +11,6 @@
 namespace kriva::ui {
 namespace {
 
-[[nodiscard]] bool isOfCurve(Role role) {
-    return role == Role::curve || role == Role::run || role == Role::join;
-}
-
 /// The nearest of the places offered, if one is within reach.
 class NearestPlace {
   public:

@@ -20,15 +20,15 @@ constexpr double kError = 1e-11;
 constexpr double kStandstill = 1e-9;
 
 /// Halvings after which the least speed is known to nine digits, wherever it lies.
-constexpr int kDeepest = 60;
+constexpr int kDeepestSpeed = 60;
 
 /// Doubles are enough for a piece whose speed is at least this share of the largest one, and whose c x c' is at least
 /// this share of the products it is the difference of: what cancels leaves twelve digits.
 constexpr double kPlain = 1e-3;
 
 /// Gauss points of one piece: at low degree halving is cheap and helps more, at high degree it is not.
-constexpr double kMostPoints = 32;
-constexpr double kMostPointsByDegree = 12;
+constexpr double kMostEnergyPoints = 32;
+constexpr double kMostEnergyPointsByDegree = 12;
 
 enum class Outcome { done, diverges, imprecise };
 
@@ -117,7 +117,7 @@ std::optional<double> Energy<T>::integral(std::vector<Vector>& speed, std::vecto
     // A guess of the integral, from which the number of points follows; the sum itself then tells whether it was right.
     const double guess = largestCoefficient(turn) * largestCoefficient(turn) / 16 / std::pow(spread.middle, 5);
     const auto enough = std::ranges::lower_bound(kGaussSizes, bound.pointsFor(kError * guess));
-    const double most = std::max(kMostPoints, kMostPointsByDegree * std::sqrt(static_cast<double>(degree)));
+    const double most = std::max(kMostEnergyPoints, kMostEnergyPointsByDegree * std::sqrt(static_cast<double>(degree)));
     if ((enough == kGaussSizes.end() || *enough > most) && !last)
         return std::nullopt;
     const auto rule = static_cast<std::size_t>(std::min(enough, kGaussSizes.end() - 1) - kGaussSizes.begin());
@@ -144,7 +144,7 @@ Outcome Energy<T>::add(Hodograph<T>& piece, double width, int depth) {
         speed.push_back({static_cast<double>(piece.x[i]), static_cast<double>(piece.y[i])});
     const Spread spread = spreadOf(speed);
     const double off = spread.half + spread.rest;
-    const bool last = depth == kDeepest;
+    const bool last = depth == kDeepestSpeed;
     if (spread.middle + off < standstill_ || (last && spread.middle < standstill_))
         return Outcome::diverges;
     if ((2 * off >= spread.middle || spread.middle - off < standstill_) && !last)

@@ -5,7 +5,7 @@
 namespace kriva {
 namespace {
 
-constexpr int kDeepest = 60;
+constexpr int kMostHalvings = 60;
 
 bool isNear(const Arc& arc, Point place, double gap) {
     if (!overlap(grown(arc.box, gap), Box{place.x, place.y, place.x, place.y}))
@@ -30,7 +30,7 @@ struct Stretch {
 void collect(const Arc& arc, Point place, double gap, int depth, std::vector<Stretch>& found) {
     if (!isNear(arc, place, gap))
         return;
-    if (arc.size() <= gap || depth == kDeepest) {
+    if (arc.size() <= gap || depth == kMostHalvings) {
         if (!found.empty() && found.back().to >= arc.from)
             found.back().to = arc.to;
         else

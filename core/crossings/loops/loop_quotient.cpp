@@ -6,7 +6,7 @@ namespace kriva {
 namespace {
 
 /// A root on the border of a rectangle is not lost to rounding.
-constexpr double kSlack = 1e-9;
+constexpr double kBorder = 1e-9;
 
 using Powers = std::array<Vector, Arc::kMostDegree + 1>;
 
@@ -83,7 +83,7 @@ bool hasNoRoot(const LocalQuotient& local, Vector along) {
         for (std::size_t j = 0; j < terms[i].size(); ++j)
             if (i + j > 0)
                 deviation += largest(local, i, j) * std::abs(dot(along, terms[i][j]));
-    return std::abs(dot(along, terms[0][0])) > (1 + kSlack) * deviation;
+    return std::abs(dot(along, terms[0][0])) > (1 + kBorder) * deviation;
 }
 
 Vector deviationByU(const LocalQuotient& local) {

@@ -15,7 +15,7 @@ constexpr int kMostHalvings = 96;
 // Pieces are left out so many at a time: what is drawn stays a part of the curve.
 constexpr std::size_t kRun = 16;
 // Pixels beyond the view, for antialiasing.
-constexpr double kMargin = 2;
+constexpr double kBeyond = 2;
 
 [[nodiscard]] bool isInside(Point p, const Box& box) {
     return p.x >= box.xmin && p.x <= box.xmax && p.y >= box.ymin && p.y <= box.ymax;
@@ -215,7 +215,7 @@ class Flattener {
 
 std::vector<QPolygonF> visiblePolylines(const Path& path, const Viewport& viewport, double penWidth,
                                         const Fineness& fineness, FrameLoad& load) {
-    const Box seen = grown({0, 0, viewport.size.width(), viewport.size.height()}, penWidth + kMargin);
+    const Box seen = grown({0, 0, viewport.size.width(), viewport.size.height()}, penWidth + kBeyond);
     Flattener flattener(seen, fineness, penWidth, load);
     const auto share = static_cast<std::size_t>(fineness.share);
     Points pixels;

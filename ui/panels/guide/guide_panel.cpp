@@ -19,7 +19,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kMargin = 14;         // px around the page
+constexpr int kPageMargin = 14;         // px around the page
 constexpr int kIndent = 18;         // px, of lists
 constexpr int kWidestPicture = 460; // px: beyond it a figure of a few lines looks lost
 constexpr int kNarrowestPicture = 160;
@@ -38,7 +38,7 @@ GuidePanel::GuidePanel(const QString& sheet, QWidget* parent)
     setFrameShape(QFrame::NoFrame);
     setOpenLinks(false);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // or pages would be laid out twice, without it and with it
-    document()->setDocumentMargin(kMargin);
+    document()->setDocumentMargin(kPageMargin);
     document()->setIndentWidth(kIndent);
     connect(this, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) { scrollToAnchor(link.fragment()); });
     retranslateUi();
@@ -151,7 +151,7 @@ QString GuidePanel::styleSheetOfPage() const {
 }
 
 int GuidePanel::pictureWidth() const {
-    return std::clamp(viewport()->width() - 2 * kMargin, kNarrowestPicture, kWidestPicture);
+    return std::clamp(viewport()->width() - 2 * kPageMargin, kNarrowestPicture, kWidestPicture);
 }
 
 QVariant GuidePanel::loadResource(int type, const QUrl& name) {
