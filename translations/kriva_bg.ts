@@ -2309,8 +2309,8 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Зададена</translation>
     </message>
     <message>
-        <source>Show the curvature comb</source>
-        <translation>Показване на гребена на кривината</translation>
+        <source>Show the comb</source>
+        <translation>Показване на гребена</translation>
     </message>
 </context>
 <context>

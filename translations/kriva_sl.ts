@@ -2311,8 +2311,8 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <translation>Podan</translation>
     </message>
     <message>
-        <source>Show the curvature comb</source>
-        <translation>Pokaži glavnik ukrivljenosti</translation>
+        <source>Show the comb</source>
+        <translation>Prikaz glavnika</translation>
     </message>
 </context>
 <context>

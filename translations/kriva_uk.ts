@@ -2310,8 +2310,8 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Задана</translation>
     </message>
     <message>
-        <source>Show the curvature comb</source>
-        <translation>Показати гребінь кривини</translation>
+        <source>Show the comb</source>
+        <translation>Показ гребеня</translation>
     </message>
 </context>
 <context>

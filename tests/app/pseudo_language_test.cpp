@@ -29,7 +29,10 @@ bool isOfNoLanguage(const QString& line) {
     static const QRegularExpression signs(QStringLiteral("^[\\s\\d.,;:()eE×%–−+-]*$|^[xyt]$|^(C|G)[012]$|^\\d+–\\d+$"));
     static const QStringList names{QStringLiteral("English"), QStringLiteral("Български"),
                                    QStringLiteral("Slovenščina"), QStringLiteral("Українська")};
-    return signs.match(text).hasMatch() || names.contains(text);
+    // "t = 0.5: B0 = 0.125; B1 = 0.375", as a plot tells its values
+    static const QRegularExpression values(
+        QStringLiteral("^<i>\\w</i> = [\\d.,e−+-]+: (<i>\\w+</i><sub>\\d+</sub> = [\\d.,e−+-]+(; )?)*$"));
+    return signs.match(text).hasMatch() || values.match(text).hasMatch() || names.contains(text);
 }
 
 TEST(PseudoLanguage, everyVisibleTextIsTranslated) {

@@ -15,7 +15,8 @@
 namespace kriva::ui {
 namespace {
 
-constexpr int kPanelWidth = 260; // px, at least: room for a table of points with a column of the sheet's own
+constexpr int kLeftWidth = 260;  // px, the least: room for a table of points with a column of the sheet's own
+constexpr int kRightWidth = 360; // px: plots with room for their legends
 constexpr int kGuideWidth = 420; // px: lines of ten words, and pictures that show their labels
 
 } // namespace
@@ -36,44 +37,47 @@ void SheetPanels::make() {
 }
 
 void SheetPanels::fill() {
-    add("curves", QT_TRANSLATE_NOOP("SheetPanels", "Curves"), new CurvesPanel(editor_, &tab_), Qt::LeftDockWidgetArea);
-    add("points", QT_TRANSLATE_NOOP("SheetPanels", "Points"), new PointsPanel(editor_, ui_.pointColumns, &tab_),
-        Qt::LeftDockWidgetArea);
-    add("layers", QT_TRANSLATE_NOOP("SheetPanels", "Layers"), new LayersPanel(editor_, &tab_), Qt::LeftDockWidgetArea);
+    curves_ = new CurvesPanel(editor_, &tab_);
     auto* properties = new PropertiesArea(&tab_);
     properties->setWidget(ui_.makeProperties(editor_, properties));
-    add("properties", QT_TRANSLATE_NOOP("SheetPanels", "Properties"), properties, Qt::RightDockWidgetArea);
-    add("results", QT_TRANSLATE_NOOP("SheetPanels", "Results"), new ResultsPanel(editor_, relations_, &tab_),
-        Qt::RightDockWidgetArea);
     auto* plots = new PlotsPanel(editor_, ui_.plots, &tab_);
     QObject::connect(plots, &PlotsPanel::exportRequested, &tab_,
                      [this](const std::vector<Plot>& shown) { exportPlots(shown, &tab_); });
-    add("plots", QT_TRANSLATE_NOOP("SheetPanels", "Plots"), plots, Qt::RightDockWidgetArea);
-    add("tables", QT_TRANSLATE_NOOP("SheetPanels", "Tables"), new TablesPanel(editor_, ui_.tables, &tab_),
-        Qt::RightDockWidgetArea);
-    add("history", QT_TRANSLATE_NOOP("SheetPanels", "History"), new HistoryPanel(editor_, &tab_),
-        Qt::RightDockWidgetArea);
     const std::string_view sheet = sheetName(editor_.index());
     guide_ = new GuidePanel(QString::fromUtf8(sheet.data(), static_cast<qsizetype>(sheet.size())), &tab_);
     guide_->setExample(example_);
-    add("guide", QT_TRANSLATE_NOOP("SheetPanels", "Guide"), guide_, Qt::RightDockWidgetArea);
-    for (const Panel& panel : panels_)
-        if (panel.dock->widget() != properties) // they know their own width
-            panel.dock->widget()->setMinimumWidth(kPanelWidth);
-    // What is looked at now and then waits behind its neighbours.
-    tab_.tabifyDockWidget(panels_[0].dock, panels_[2].dock);
-    for (std::size_t i = 5; i < panels_.size(); ++i)
-        tab_.tabifyDockWidget(panels_[i - 1].dock, panels_[i].dock);
-    panels_[0].dock->raise();
-    panels_[4].dock->raise();
+    add(Qt::LeftDockWidgetArea,
+        {{"curves", QT_TRANSLATE_NOOP("SheetPanels", "Curves"), curves_},
+         {"layers", QT_TRANSLATE_NOOP("SheetPanels", "Layers"), new LayersPanel(editor_, &tab_)}});
+    add(Qt::LeftDockWidgetArea,
+        {{"points", QT_TRANSLATE_NOOP("SheetPanels", "Points"), new PointsPanel(editor_, ui_.pointColumns, &tab_)},
+         {"history", QT_TRANSLATE_NOOP("SheetPanels", "History"), new HistoryPanel(editor_, &tab_)}});
+    add(Qt::RightDockWidgetArea, {{"properties", QT_TRANSLATE_NOOP("SheetPanels", "Properties"), properties}});
+    add(Qt::RightDockWidgetArea,
+        {{"results", QT_TRANSLATE_NOOP("SheetPanels", "Results"), new ResultsPanel(editor_, relations_, &tab_)},
+         {"plots", QT_TRANSLATE_NOOP("SheetPanels", "Plots"), plots},
+         {"tables", QT_TRANSLATE_NOOP("SheetPanels", "Tables"), new TablesPanel(editor_, ui_.tables, &tab_)},
+         {"guide", QT_TRANSLATE_NOOP("SheetPanels", "Guide"), guide_}});
+    // Not as wide as their titles want to be, which differs from language to language.
+    tab_.resizeDocks({dockOf("curves"), dockOf("properties")}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
 }
 
-void SheetPanels::add(const char* name, const char* title, QWidget* widget, Qt::DockWidgetArea area) {
-    auto* dock = new QDockWidget(&tab_);
-    dock->setObjectName(QString::fromLatin1(name));
-    dock->setWidget(widget);
-    tab_.addDockWidget(area, dock);
-    panels_.push_back({dock, title});
+void SheetPanels::add(Qt::DockWidgetArea area, std::initializer_list<NewPanel> group) {
+    QDockWidget* front = nullptr;
+    for (const NewPanel& panel : group) {
+        auto* dock = new QDockWidget(&tab_);
+        dock->setObjectName(QString::fromLatin1(panel.name));
+        if (panel.widget->minimumSizeHint().width() < kLeftWidth)
+            panel.widget->setMinimumWidth(kLeftWidth);
+        dock->setWidget(panel.widget);
+        if (front)
+            tab_.tabifyDockWidget(panels_.back().dock, dock);
+        else
+            tab_.addDockWidget(area, dock);
+        front = front ? front : dock;
+        panels_.push_back({dock, panel.title});
+    }
+    front->raise();
 }
 
 QList<QAction*> SheetPanels::actions() {
@@ -112,7 +116,7 @@ QDockWidget* SheetPanels::dockOf(const char* name) const {
 
 void SheetPanels::beginRenaming() {
     show("curves");
-    static_cast<CurvesPanel*>(panels_.front().dock->widget())->beginRenaming();
+    curves_->beginRenaming();
 }
 
 void SheetPanels::showGuide() {

@@ -9,6 +9,7 @@
 
 namespace kriva::ui {
 
+class CurvesPanel;
 class GuidePanel;
 struct Example;
 
@@ -42,15 +43,22 @@ class SheetPanels {
         QDockWidget* dock;
         const char* title; ///< marked with QT_TRANSLATE_NOOP("SheetPanels", ...)
     };
+    struct NewPanel {
+        const char* name; ///< of its dock
+        const char* title;
+        QWidget* widget;
+    };
     void fill();
     [[nodiscard]] QDockWidget* dockOf(const char* name) const;
-    void add(const char* name, const char* title, QWidget* widget, Qt::DockWidgetArea area);
+    /// One below what the area has; they lie behind the first of them.
+    void add(Qt::DockWidgetArea area, std::initializer_list<NewPanel> group);
 
     QMainWindow& tab_;
     SheetEditor& editor_;
     const SheetRelations& relations_;
     const SheetUi& ui_;
     std::vector<Panel> panels_;
+    CurvesPanel* curves_ = nullptr;
     GuidePanel* guide_ = nullptr;
     const Example* example_ = nullptr;
     QByteArray firstLayout_;

@@ -57,8 +57,7 @@ PlotsPanel::PlotsPanel(ShownSheet& sheet, Plots plots, QWidget* parent)
     connect(export_, &QToolButton::clicked, this, [this] {
         std::vector<Plot> shown;
         for (const Row& plot : rows_)
-            if (plot.view->isVisible())
-                shown.push_back(plot.view->shownPlot());
+            shown.push_back(plot.view->shownPlot());
         Q_EMIT exportRequested(shown);
     });
     retranslateUi();
@@ -107,20 +106,21 @@ void PlotsPanel::showGroup() {
     const std::vector<Plot> plots = chosen < groups_.size() ? groups_[chosen].plots : std::vector<Plot>();
     makeRows(plots.size());
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const bool isThere = i < plots.size();
-        rows_[i].title->setVisible(isThere && plots.size() > 1); // one alone has the name of the choice
-        rows_[i].view->setVisible(isThere);
-        rows_[i].values->setVisible(isThere);
-        if (!isThere)
-            continue;
-        rows_[i].title->setText(captionText(plots[i].caption));
-        rows_[i].view->setAccessibleName(captionText(plots[i].caption));
+        const QString caption = captionText(plots[i].caption);
+        rows_[i].title->setText(caption);
+        rows_[i].title->setVisible(plots.size() > 1); // one alone has the name of the choice
+        rows_[i].view->setAccessibleName(caption);
         rows_[i].view->setPlot(plots[i]);
     }
     showValues();
 }
 
 void PlotsPanel::makeRows(std::size_t count) {
+    for (; rows_.size() > count; rows_.pop_back()) {
+        delete rows_.back().title;
+        delete rows_.back().view;
+        delete rows_.back().values;
+    }
     while (rows_.size() < count) {
         const Row row{new QLabel(this), new PlotView(this), new QLabel(this)};
         row.values->setWordWrap(true);

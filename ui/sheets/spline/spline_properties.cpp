@@ -105,7 +105,7 @@ void SplineProperties::setDerivative(End end, std::optional<Vector> derivative) 
 
 void SplineProperties::retranslateFields() {
     closed_->setText(tr("Closed"));
-    showsComb_->setText(tr("Show the curvature comb"));
+    showsComb_->setText(tr("Show the comb"));
     for (const DerivativeRow& row : {start_, end_}) {
         row.isGiven->setToolTip(tr("Given here; otherwise that of the natural spline"));
         row.isGiven->setAccessibleName(tr("Given"));

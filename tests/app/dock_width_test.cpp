@@ -1,0 +1,35 @@
+#include "tests/support/test_window.h"
+
+#include <gtest/gtest.h>
+#include <QDockWidget>
+
+namespace kriva::ui {
+namespace {
+
+using test::TestWindow;
+
+/// The least widths of all docks, by tab and name.
+std::map<std::string, int> leastWidths(Language language) {
+    TestWindow window(language);
+    std::map<std::string, int> widths;
+    for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
+        SheetTab& tab = window.shown(sheet);
+        tab.panels().make();
+        test::settle();
+        for (const QDockWidget* dock : tab.findChildren<QDockWidget*>())
+            widths[std::string(sheetName(sheet)) + ' ' + dock->objectName().toStdString()] =
+                dock->widget()->minimumSizeHint().width();
+    }
+    return widths;
+}
+
+TEST(DockWidth, isTheSameInAllLanguages) {
+    const std::map<std::string, int> english = leastWidths(Language::English);
+    ASSERT_EQ(english.size(), kSheetCount * 9);
+    for (const Language language : kLanguages)
+        for (const auto& [dock, width] : leastWidths(language))
+            EXPECT_EQ(width, english.at(dock)) << dock << " in language " << static_cast<int>(language);
+}
+
+} // namespace
+} // namespace kriva::ui
