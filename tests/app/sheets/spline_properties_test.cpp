@@ -138,7 +138,7 @@ TEST_F(SplinePropertiesTest, theCombIsScaledWithoutAStep) {
     NumberField& field = named<NumberField>(properties, "Scale of the comb");
     EXPECT_FALSE(scale.isEnabled()); // there is no comb yet
     for (QCheckBox* box : properties.findChildren<QCheckBox*>())
-        if (box->text() == QStringLiteral("Show the curvature comb"))
+        if (box->text() == QStringLiteral("Show the comb"))
             click(*box);
     EXPECT_TRUE(editor().sheet().view.layers.at("curvature-comb"));
     EXPECT_TRUE(scale.isEnabled());
