@@ -39,7 +39,7 @@ class CurveMenuTest : public test::PanelTest, public testing::WithParamInterface
 };
 
 TEST_P(CurveMenuTest, renamesInThePanelOfCurves) {
-    auto& curves = panel<CurvesPanel>();
+    auto& curves = panel<CurvesPanel>("curves");
     static_cast<QDockWidget*>(curves.parentWidget())->hide();
     QTest::keyClick(&tab.canvas(), Qt::Key_F2);
     auto* field = curves.findChild<QListView*>()->viewport()->findChild<QLineEdit*>();

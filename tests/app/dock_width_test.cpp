@@ -14,8 +14,7 @@ std::map<std::string, int> leastWidths(Language language) {
     std::map<std::string, int> widths;
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
         SheetTab& tab = window.shown(sheet);
-        tab.panels().make();
-        test::settle();
+        test::seeAllPanels(tab);
         for (const QDockWidget* dock : tab.findChildren<QDockWidget*>())
             widths[std::string(sheetName(sheet)) + ' ' + dock->objectName().toStdString()] =
                 dock->widget()->minimumSizeHint().width();

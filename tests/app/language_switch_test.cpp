@@ -27,6 +27,7 @@ struct BusyWindow {
             for (QAction* panel : tab.panels().actions())
                 if (!panel->isChecked())
                     panel->trigger();
+            test::seeAllPanels(tab);
         }
         about.show();
         question.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);

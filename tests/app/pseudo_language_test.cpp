@@ -39,7 +39,9 @@ TEST(PseudoLanguage, everyVisibleTextIsTranslated) {
     MarkingTranslator translator;
     TestWindow window;
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
-        SheetEditor& editor = window.shown(sheet).editor();
+        SheetTab& tab = window.shown(sheet);
+        test::seeAllPanels(tab);
+        SheetEditor& editor = tab.editor();
         editor.addPoint({2.5, 1.25});
         editor.placePoint(0, {0.125, -1});
         editor.newCurve();

@@ -81,15 +81,12 @@ class PanelTest : public testing::Test {
         shell.window.session().show(document);
         QApplication::processEvents();
     }
-    /// The tab's panel of that kind, in front of its neighbours.
+    /// The panel of a dock, in front of its neighbours.
     template <class P>
-    P& panel() {
-        auto* found = tab.findChild<P*>();
-        for (QWidget* parent = found; parent; parent = parent->parentWidget())
-            if (auto* dock = qobject_cast<QDockWidget*>(parent))
-                dock->raise();
+    P& panel(const char* dock) {
+        tab.findChild<QDockWidget*>(QString::fromLatin1(dock))->raise();
         QApplication::processEvents();
-        return *found;
+        return *tab.findChild<P*>();
     }
 
     [[nodiscard]] ui::OpenDocument& document() { return shell.window.document(); }

@@ -10,6 +10,7 @@
 #include "ui/shell/preferences.h"
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QTest>
 #include <QThreadPool>
 
@@ -53,6 +54,14 @@ struct TestWindow {
     std::array<ui::SheetUi, kSheetCount> sheets = sheetCatalog();
     ui::MainWindow window{{preferences, language, theme, sheets}};
 };
+
+/// Brings every panel of a tab to the front once: only then it is made.
+inline void seeAllPanels(ui::SheetTab& tab) {
+    for (QDockWidget* dock : tab.findChildren<QDockWidget*>()) {
+        dock->raise();
+        settle();
+    }
+}
 
 /// Where a point of the active curve is on the canvas.
 inline QPoint pixelOf(ui::SheetTab& tab, int point) {

@@ -15,9 +15,9 @@
 namespace kriva::ui {
 namespace {
 
-constexpr int kLeftWidth = 260;  // px, the least: room for a table of points with a column of the sheet's own
-constexpr int kRightWidth = 360; // px: plots with room for their legends
-constexpr int kGuideWidth = 420; // px: lines of ten words, and pictures that show their labels
+constexpr int kColumnWidth = 260; // px: room for a table of points with a column of the sheet's own
+constexpr int kRightWidth = 360;  // px: plots with room for their legends
+constexpr int kGuideWidth = 420;  // px: lines of ten words, and pictures that show their labels
 
 } // namespace
 
@@ -37,29 +37,23 @@ void SheetPanels::make() {
 }
 
 void SheetPanels::fill() {
-    curves_ = new CurvesPanel(editor_, &tab_);
-    auto* properties = new PropertiesArea(&tab_);
-    properties->setWidget(ui_.makeProperties(editor_, properties));
-    auto* plots = new PlotsPanel(editor_, ui_.plots, &tab_);
-    QObject::connect(plots, &PlotsPanel::exportRequested, &tab_,
-                     [this](const std::vector<Plot>& shown) { exportPlots(shown, &tab_); });
-    const std::string_view sheet = sheetName(editor_.index());
-    guide_ = new GuidePanel(QString::fromUtf8(sheet.data(), static_cast<qsizetype>(sheet.size())), &tab_);
-    guide_->setExample(example_);
     add(Qt::LeftDockWidgetArea,
-        {{"curves", QT_TRANSLATE_NOOP("SheetPanels", "Curves"), curves_},
-         {"layers", QT_TRANSLATE_NOOP("SheetPanels", "Layers"), new LayersPanel(editor_, &tab_)}});
+        {{"curves", QT_TRANSLATE_NOOP("SheetPanels", "Curves"), [this] { return new CurvesPanel(editor_); }},
+         {"layers", QT_TRANSLATE_NOOP("SheetPanels", "Layers"), [this] { return new LayersPanel(editor_); }}});
     add(Qt::LeftDockWidgetArea,
-        {{"points", QT_TRANSLATE_NOOP("SheetPanels", "Points"), new PointsPanel(editor_, ui_.pointColumns, &tab_)},
-         {"history", QT_TRANSLATE_NOOP("SheetPanels", "History"), new HistoryPanel(editor_, &tab_)}});
-    add(Qt::RightDockWidgetArea, {{"properties", QT_TRANSLATE_NOOP("SheetPanels", "Properties"), properties}});
+        {{"points", QT_TRANSLATE_NOOP("SheetPanels", "Points"),
+          [this] { return new PointsPanel(editor_, ui_.pointColumns); }},
+         {"history", QT_TRANSLATE_NOOP("SheetPanels", "History"), [this] { return new HistoryPanel(editor_); }}});
     add(Qt::RightDockWidgetArea,
-        {{"results", QT_TRANSLATE_NOOP("SheetPanels", "Results"), new ResultsPanel(editor_, relations_, &tab_)},
-         {"plots", QT_TRANSLATE_NOOP("SheetPanels", "Plots"), plots},
-         {"tables", QT_TRANSLATE_NOOP("SheetPanels", "Tables"), new TablesPanel(editor_, ui_.tables, &tab_)},
-         {"guide", QT_TRANSLATE_NOOP("SheetPanels", "Guide"), guide_}});
+        {{"properties", QT_TRANSLATE_NOOP("SheetPanels", "Properties"), [this] { return properties(); }}});
+    add(Qt::RightDockWidgetArea, {{"results", QT_TRANSLATE_NOOP("SheetPanels", "Results"),
+                                   [this] { return new ResultsPanel(editor_, relations_); }},
+                                  {"plots", QT_TRANSLATE_NOOP("SheetPanels", "Plots"), [this] { return plots(); }},
+                                  {"tables", QT_TRANSLATE_NOOP("SheetPanels", "Tables"),
+                                   [this] { return new TablesPanel(editor_, ui_.tables); }},
+                                  {"guide", QT_TRANSLATE_NOOP("SheetPanels", "Guide"), [this] { return guide(); }}});
     // Not as wide as their titles want to be, which differs from language to language.
-    tab_.resizeDocks({dockOf("curves"), dockOf("properties")}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
+    tab_.resizeDocks({dockOf("curves"), dockOf("properties")}, {kColumnWidth, kRightWidth}, Qt::Horizontal);
 }
 
 void SheetPanels::add(Qt::DockWidgetArea area, std::initializer_list<NewPanel> group) {
@@ -67,17 +61,42 @@ void SheetPanels::add(Qt::DockWidgetArea area, std::initializer_list<NewPanel> g
     for (const NewPanel& panel : group) {
         auto* dock = new QDockWidget(&tab_);
         dock->setObjectName(QString::fromLatin1(panel.name));
-        if (panel.widget->minimumSizeHint().width() < kLeftWidth)
-            panel.widget->setMinimumWidth(kLeftWidth);
-        dock->setWidget(panel.widget);
         if (front)
             tab_.tabifyDockWidget(panels_.back().dock, dock);
         else
             tab_.addDockWidget(area, dock);
         front = front ? front : dock;
         panels_.push_back({dock, panel.title});
+        QObject::connect(dock, &QDockWidget::visibilityChanged, dock, [dock, make = panel.make](bool isVisible) {
+            if (!isVisible || dock->widget())
+                return;
+            QWidget* widget = make();
+            if (!qobject_cast<PropertiesArea*>(widget)) // it knows its own
+                widget->setMinimumWidth(kColumnWidth);
+            dock->setWidget(widget);
+        });
     }
     front->raise();
+}
+
+QWidget* SheetPanels::properties() const {
+    auto* area = new PropertiesArea;
+    area->setWidget(ui_.makeProperties(editor_, area));
+    return area;
+}
+
+QWidget* SheetPanels::plots() const {
+    auto* panel = new PlotsPanel(editor_, ui_.plots);
+    QObject::connect(panel, &PlotsPanel::exportRequested, &tab_,
+                     [this](const std::vector<Plot>& shown) { exportPlots(shown, &tab_); });
+    return panel;
+}
+
+QWidget* SheetPanels::guide() {
+    const std::string_view sheet = sheetName(editor_.index());
+    guide_ = new GuidePanel(QString::fromUtf8(sheet.data(), static_cast<qsizetype>(sheet.size())));
+    guide_->setExample(example_);
+    return guide_;
 }
 
 QList<QAction*> SheetPanels::actions() {
@@ -116,7 +135,7 @@ QDockWidget* SheetPanels::dockOf(const char* name) const {
 
 void SheetPanels::beginRenaming() {
     show("curves");
-    curves_->beginRenaming();
+    static_cast<CurvesPanel*>(dockOf("curves")->widget())->beginRenaming();
 }
 
 void SheetPanels::showGuide() {

@@ -9,11 +9,11 @@
 
 namespace kriva::ui {
 
-class CurvesPanel;
 class GuidePanel;
 struct Example;
 
-/// The dockable panels of a tab. They are made when the tab is first shown: a window starts with one tab in sight.
+/// The dockable panels of a tab. Docks are made when the tab is first shown, and what is in them when they are: a
+/// window starts with one tab and few panels in sight.
 class SheetPanels {
   public:
     /// All of them outlive this.
@@ -46,9 +46,12 @@ class SheetPanels {
     struct NewPanel {
         const char* name; ///< of its dock
         const char* title;
-        QWidget* widget;
+        std::function<QWidget*()> make;
     };
     void fill();
+    [[nodiscard]] QWidget* properties() const;
+    [[nodiscard]] QWidget* plots() const;
+    [[nodiscard]] QWidget* guide();
     [[nodiscard]] QDockWidget* dockOf(const char* name) const;
     /// One below what the area has; they lie behind the first of them.
     void add(Qt::DockWidgetArea area, std::initializer_list<NewPanel> group);
@@ -58,7 +61,6 @@ class SheetPanels {
     const SheetRelations& relations_;
     const SheetUi& ui_;
     std::vector<Panel> panels_;
-    CurvesPanel* curves_ = nullptr;
     GuidePanel* guide_ = nullptr;
     const Example* example_ = nullptr;
     QByteArray firstLayout_;

@@ -41,7 +41,7 @@ class CurvesPanelTest : public test::PanelTest {
     }
 
     const QStringList before{QStringLiteral("First"), QStringLiteral("Curve 2"), QStringLiteral("Third")};
-    CurvesPanel& curves = panel<CurvesPanel>();
+    CurvesPanel& curves = panel<CurvesPanel>("curves");
     QListView& list = *curves.findChild<QListView*>();
 };
 

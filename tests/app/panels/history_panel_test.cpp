@@ -27,7 +27,7 @@ class HistoryPanelTest : public test::PanelTest {
         QTest::mouseClick(history.viewport(), Qt::LeftButton, {}, at.center());
     }
 
-    HistoryPanel& history = panel<HistoryPanel>();
+    HistoryPanel& history = panel<HistoryPanel>("history");
     std::vector<Curve> values; ///< after each number of steps
 };
 

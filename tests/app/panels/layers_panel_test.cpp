@@ -22,7 +22,7 @@ class LayersPanelTest : public test::PanelTest {
         return std::ranges::any_of(figure.layers, [&](const auto& drawn) { return drawn.name == layer; });
     }
 
-    LayersPanel& layers = panel<LayersPanel>();
+    LayersPanel& layers = panel<LayersPanel>("layers");
 };
 
 TEST_F(LayersPanelTest, aCheckTakesTheLayerOffTheCanvasAndModifiesNothing) {

@@ -39,7 +39,7 @@ class PlotsPanelTest : public test::PanelTest {
         QApplication::sendEvent(&view, &event);
     }
 
-    PlotsPanel& panel_ = panel<PlotsPanel>();
+    PlotsPanel& panel_ = panel<PlotsPanel>("plots");
 };
 
 class PlotsInEachTab : public PlotsPanelTest, public testing::WithParamInterface<SheetIndex> {

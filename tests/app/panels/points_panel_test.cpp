@@ -40,7 +40,7 @@ class PointsPanelTest : public test::PanelTest {
     }
     [[nodiscard]] QString text(int row, int column) { return table.model()->index(row, column).data().toString(); }
 
-    PointsPanel& table = panel<PointsPanel>();
+    PointsPanel& table = panel<PointsPanel>("points");
     const Curve before = curve();
 };
 

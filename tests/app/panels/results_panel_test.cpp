@@ -31,7 +31,7 @@ class ResultsPanelTest : public test::PanelTest {
         return expected;
     }
 
-    ResultsPanel& table = panel<ResultsPanel>();
+    ResultsPanel& table = panel<ResultsPanel>("results");
 };
 
 class ResultsInEachTab : public ResultsPanelTest, public testing::WithParamInterface<SheetIndex> {

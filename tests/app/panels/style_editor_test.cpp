@@ -20,7 +20,7 @@ class StyleEditorTest : public test::PanelTest, public testing::WithParamInterfa
         : PanelTest(GetParam()) {
         const Points points{{0, 0}, {1, 2}, {3, 1}};
         open({withPointsAdded(emptyCurve(sheet_), points)});
-        click(named<QToolButton>(panel<CurvesPanel>(), "Style of the curve"));
+        click(named<QToolButton>(panel<CurvesPanel>("curves"), "Style of the curve"));
         QApplication::processEvents();
     }
     /// Goes down so many entries by keys.
@@ -52,7 +52,7 @@ class StyleEditorTest : public test::PanelTest, public testing::WithParamInterfa
 
 TEST_P(StyleEditorTest, isHiddenUntilItIsAskedFor) {
     EXPECT_TRUE(editorOfStyle.isVisible());
-    click(named<QToolButton>(panel<CurvesPanel>(), "Style of the curve"));
+    click(named<QToolButton>(panel<CurvesPanel>("curves"), "Style of the curve"));
     EXPECT_FALSE(editorOfStyle.isVisible());
 }
 

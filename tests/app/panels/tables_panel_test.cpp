@@ -23,7 +23,7 @@ class TablesPanelTest : public test::PanelTest {
     }
     void choose(int table) { panel_.findChild<QComboBox*>()->setCurrentIndex(table); }
 
-    TablesPanel& panel_ = panel<TablesPanel>();
+    TablesPanel& panel_ = panel<TablesPanel>("tables");
 };
 
 class TablesInEachTab : public TablesPanelTest, public testing::WithParamInterface<SheetIndex> {

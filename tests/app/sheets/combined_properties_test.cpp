@@ -38,7 +38,7 @@ class CombinedPropertiesTest : public test::PanelTest {
         return false;
     }
 
-    PropertiesPanel& properties = panel<PropertiesPanel>();
+    PropertiesPanel& properties = panel<PropertiesPanel>("properties");
     QComboBox& method = named<QComboBox>(properties, "Method");
     QComboBox& basis = named<QComboBox>(properties, "Basis");
     QSlider& slider = named<QSlider>(properties, "Degree");

@@ -23,7 +23,7 @@ class ElevationPropertiesTest : public test::PanelTest {
         return *player.findChild<QToolButton*>(QString::fromLatin1(name));
     }
 
-    PropertiesPanel& properties = panel<PropertiesPanel>();
+    PropertiesPanel& properties = panel<PropertiesPanel>("properties");
     QSlider& slider = named<QSlider>(properties, "Degree");
     NumberField& field = named<NumberField>(properties, "Degree");
     Player& player = *properties.findChild<Player*>();

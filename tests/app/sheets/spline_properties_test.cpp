@@ -16,7 +16,7 @@ class SplinePropertiesTest : public test::PanelTest {
     SplinePropertiesTest()
         : PanelTest(2) {}
 
-    PropertiesPanel& properties = panel<PropertiesPanel>();
+    PropertiesPanel& properties = panel<PropertiesPanel>("properties");
     QComboBox& rule = named<QComboBox>(properties, "Rule");
     QComboBox& join = named<QComboBox>(properties, "Join");
     QSlider& slider = named<QSlider>(properties, "Degree");

@@ -23,7 +23,7 @@ class SubdivisionPropertiesTest : public test::PanelTest {
         throw std::runtime_error(std::string("no box says ") + text);
     }
 
-    PropertiesPanel& properties = panel<PropertiesPanel>();
+    PropertiesPanel& properties = panel<PropertiesPanel>("properties");
     NumberField& t = named<NumberField>(properties, "Parameter t");
     NumberField& levels = named<NumberField>(properties, "Levels");
     NumberField& multiplicity = named<NumberField>(properties, "Multiplicity of the selected point");
