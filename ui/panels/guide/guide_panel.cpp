@@ -19,7 +19,7 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr int kPageMargin = 14;         // px around the page
+constexpr int kPageMargin = 14;     // px around the page
 constexpr int kIndent = 18;         // px, of lists
 constexpr int kWidestPicture = 460; // px: beyond it a figure of a few lines looks lost
 constexpr int kNarrowestPicture = 160;
