@@ -537,6 +537,10 @@
         <source>clamped</source>
         <translation>със зададени краища</translation>
     </message>
+    <message>
+        <source>De Casteljau polyline</source>
+        <translation>Начупена линия на дьо Кастелжо</translation>
+    </message>
 </context>
 <context>
     <name>Clip</name>
@@ -1559,6 +1563,30 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Further t</source>
         <translation>Други t</translation>
     </message>
+    <message>
+        <source>Make this the control polygon</source>
+        <translation>Приемане за контролен полигон</translation>
+    </message>
+    <message>
+        <source>Reduce the degree by one</source>
+        <translation>Понижаване на степента с едно</translation>
+    </message>
+    <message>
+        <source>Comparison with the built-in drawing</source>
+        <translation>Сравнение с вграденото чертане</translation>
+    </message>
+    <message>
+        <source>Points per segment</source>
+        <translation>Точки на сегмент</translation>
+    </message>
+    <message>
+        <source>Largest deviation</source>
+        <translation>Най-голямо отклонение</translation>
+    </message>
+    <message>
+        <source>Split here</source>
+        <translation>Разделяне тук</translation>
+    </message>
 </context>
 <context>
     <name>Sheet</name>
@@ -1640,6 +1668,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>One level fewer</source>
         <translation>Едно ниво по-малко</translation>
+    </message>
+    <message>
+        <source>Make the elevated polygon the control polygon</source>
+        <translation>Приемане на полигона с повишена степен за контролен</translation>
+    </message>
+    <message>
+        <source>Split here, at t</source>
+        <translation>Разделяне тук, при t</translation>
     </message>
 </context>
 <context>
@@ -1899,6 +1935,18 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Pull out the handles</source>
         <translation>Изтегляне на манипулаторите</translation>
     </message>
+    <message>
+        <source>Take the elevated polygon over</source>
+        <translation>Приемане на полигона с повишена степен</translation>
+    </message>
+    <message>
+        <source>Reduce the degree</source>
+        <translation>Понижаване на степента</translation>
+    </message>
+    <message>
+        <source>Split the curve</source>
+        <translation>Разделяне на кривата</translation>
+    </message>
 </context>
 <context>
     <name>StyleEditor</name>
@@ -2095,6 +2143,17 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Without saving they are lost.</source>
         <translation>Без запазване те се губят.</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ElevationProperties</name>
+    <message>
+        <source>The curve then moves by at most %1</source>
+        <translation>Тогава кривата се отмества най-много с %1</translation>
+    </message>
+    <message>
+        <source>The degree cannot fall any more</source>
+        <translation>Степента не може да се понижи повече</translation>
     </message>
 </context>
 <context>
@@ -2311,6 +2370,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Show the comb</source>
         <translation>Показване на гребена</translation>
+    </message>
+    <message>
+        <source>Show the polyline</source>
+        <translation>Показване на линията</translation>
     </message>
 </context>
 <context>

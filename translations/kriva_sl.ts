@@ -537,6 +537,10 @@
         <source>clamped</source>
         <translation>vpeti</translation>
     </message>
+    <message>
+        <source>De Casteljau polyline</source>
+        <translation>De Casteljaujeva lomljenka</translation>
+    </message>
 </context>
 <context>
     <name>Clip</name>
@@ -1561,6 +1565,30 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>Further t</source>
         <translation>Drugi t</translation>
     </message>
+    <message>
+        <source>Make this the control polygon</source>
+        <translation>Sprejmi kot kontrolni poligon</translation>
+    </message>
+    <message>
+        <source>Reduce the degree by one</source>
+        <translation>Znižaj stopnjo za ena</translation>
+    </message>
+    <message>
+        <source>Comparison with the built-in drawing</source>
+        <translation>Primerjava z vgrajenim risanjem</translation>
+    </message>
+    <message>
+        <source>Points per segment</source>
+        <translation>Točk na odsek</translation>
+    </message>
+    <message>
+        <source>Largest deviation</source>
+        <translation>Največji odmik</translation>
+    </message>
+    <message>
+        <source>Split here</source>
+        <translation>Razdeli tukaj</translation>
+    </message>
 </context>
 <context>
     <name>Sheet</name>
@@ -1642,6 +1670,14 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>One level fewer</source>
         <translation>En nivo manj</translation>
+    </message>
+    <message>
+        <source>Make the elevated polygon the control polygon</source>
+        <translation>Sprejmi poligon zvišane stopnje kot kontrolni</translation>
+    </message>
+    <message>
+        <source>Split here, at t</source>
+        <translation>Razdeli tukaj, pri t</translation>
     </message>
 </context>
 <context>
@@ -1901,6 +1937,18 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>Pull out the handles</source>
         <translation>Izvlek ročic</translation>
     </message>
+    <message>
+        <source>Take the elevated polygon over</source>
+        <translation>Prevzem poligona zvišane stopnje</translation>
+    </message>
+    <message>
+        <source>Reduce the degree</source>
+        <translation>Znižanje stopnje</translation>
+    </message>
+    <message>
+        <source>Split the curve</source>
+        <translation>Razdelitev krivulje</translation>
+    </message>
 </context>
 <context>
     <name>StyleEditor</name>
@@ -2097,6 +2145,17 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Without saving they are lost.</source>
         <translation>Brez shranjevanja bodo izgubljene.</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ElevationProperties</name>
+    <message>
+        <source>The curve then moves by at most %1</source>
+        <translation>Krivulja se pri tem premakne za največ %1</translation>
+    </message>
+    <message>
+        <source>The degree cannot fall any more</source>
+        <translation>Stopnje ni mogoče več znižati</translation>
     </message>
 </context>
 <context>
@@ -2312,7 +2371,11 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
     <message>
         <source>Show the comb</source>
-        <translation>Prikaz glavnika</translation>
+        <translation>Pokaži glavnik</translation>
+    </message>
+    <message>
+        <source>Show the polyline</source>
+        <translation>Pokaži lomljenko</translation>
     </message>
 </context>
 <context>

@@ -537,6 +537,10 @@
         <source>clamped</source>
         <translation>затиснутий</translation>
     </message>
+    <message>
+        <source>De Casteljau polyline</source>
+        <translation>Ламана де Кастельжо</translation>
+    </message>
 </context>
 <context>
     <name>Clip</name>
@@ -1560,6 +1564,30 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Further t</source>
         <translation>Інші t</translation>
     </message>
+    <message>
+        <source>Make this the control polygon</source>
+        <translation>Зробити контрольним полігоном</translation>
+    </message>
+    <message>
+        <source>Reduce the degree by one</source>
+        <translation>Знизити степінь на одиницю</translation>
+    </message>
+    <message>
+        <source>Comparison with the built-in drawing</source>
+        <translation>Порівняння із вбудованим малюванням</translation>
+    </message>
+    <message>
+        <source>Points per segment</source>
+        <translation>Точок на сегмент</translation>
+    </message>
+    <message>
+        <source>Largest deviation</source>
+        <translation>Найбільше відхилення</translation>
+    </message>
+    <message>
+        <source>Split here</source>
+        <translation>Розділити тут</translation>
+    </message>
 </context>
 <context>
     <name>Sheet</name>
@@ -1588,7 +1616,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
     <message>
         <source>Lower the degree</source>
-        <translation>Знизити степінь</translation>
+        <translation>Зниження степеня</translation>
     </message>
     <message>
         <source>Elevate once more</source>
@@ -1641,6 +1669,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>One level fewer</source>
         <translation>На рівень менше</translation>
+    </message>
+    <message>
+        <source>Make the elevated polygon the control polygon</source>
+        <translation>Зробити полігон підвищеного степеня контрольним</translation>
+    </message>
+    <message>
+        <source>Split here, at t</source>
+        <translation>Розділити тут, при t</translation>
     </message>
 </context>
 <context>
@@ -1900,6 +1936,18 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Pull out the handles</source>
         <translation>Витягування маркерів</translation>
     </message>
+    <message>
+        <source>Take the elevated polygon over</source>
+        <translation>Прийняття полігона підвищеного степеня</translation>
+    </message>
+    <message>
+        <source>Reduce the degree</source>
+        <translation>Зниження степеня</translation>
+    </message>
+    <message>
+        <source>Split the curve</source>
+        <translation>Розділення кривої</translation>
+    </message>
 </context>
 <context>
     <name>StyleEditor</name>
@@ -2096,6 +2144,17 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Without saving they are lost.</source>
         <translation>Без збереження їх буде втрачено.</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ElevationProperties</name>
+    <message>
+        <source>The curve then moves by at most %1</source>
+        <translation>Крива при цьому зсувається щонайбільше на %1</translation>
+    </message>
+    <message>
+        <source>The degree cannot fall any more</source>
+        <translation>Степінь більше не можна знизити</translation>
     </message>
 </context>
 <context>
@@ -2311,7 +2370,11 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
     <message>
         <source>Show the comb</source>
-        <translation>Показ гребеня</translation>
+        <translation>Показати гребінь</translation>
+    </message>
+    <message>
+        <source>Show the polyline</source>
+        <translation>Показати ламану</translation>
     </message>
 </context>
 <context>

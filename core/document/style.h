@@ -47,6 +47,9 @@ inline constexpr std::size_t kMostParameters = 16;
 /// How much the curvature comb may be scaled.
 inline constexpr double kLeastCombScale = 0.01;
 inline constexpr double kMostCombScale = 100;
+/// How many points of a segment its polyline may have, both ends counted.
+inline constexpr int kLeastPolylinePoints = 2;
+inline constexpr int kMostPolylinePoints = 100;
 
 /// Saved, but never undone and never a modification.
 struct SheetView {
@@ -54,6 +57,7 @@ struct SheetView {
     std::map<std::string, bool> layers; ///< by layer name, where it differs from the layer's default
     std::optional<double> mmPerUnit;    ///< scale of the page; by default its longer side is 120 mm
     double combScale = 1;               ///< of the curvature comb, times its automatic scale
+    int polylinePoints = 8;             ///< of each segment of a spline, both ends counted
     std::vector<double> parameters;     ///< further t whose de Casteljau schemes are shown, each between 0 and 1
     friend bool operator==(const SheetView&, const SheetView&) = default;
 };

@@ -42,7 +42,7 @@ void readView(const JsonNode& node, CurveView& view) {
 }
 
 void readView(const JsonNode& node, SheetView& view, std::span<const std::string_view> layers) {
-    const JsonObject object(node, {"activeCurve", "layers", "mmPerUnit", "combScale", "parameters"});
+    const JsonObject object(node, {"activeCurve", "layers", "mmPerUnit", "combScale", "polylinePoints", "parameters"});
     if (const JsonNode* active = object.find("activeCurve"))
         view.activeCurve = active->wholeNumber(0, static_cast<int>(limits::kCurvesInSheet) - 1);
     if (const JsonNode* shown = object.find("layers")) {
@@ -55,6 +55,8 @@ void readView(const JsonNode& node, SheetView& view, std::span<const std::string
         view.mmPerUnit = scale->number(kScaleLow, kScaleHigh);
     if (const JsonNode* scale = object.find("combScale"))
         view.combScale = scale->number(kLeastCombScale, kMostCombScale);
+    if (const JsonNode* points = object.find("polylinePoints"))
+        view.polylinePoints = points->wholeNumber(kLeastPolylinePoints, kMostPolylinePoints);
     if (const JsonNode* parameters = object.find("parameters")) {
         view.parameters.reserve(parameters->listSize(kMostParameters));
         parameters->forEachElement([&](const JsonNode& t) { view.parameters.push_back(t.numberBetween(0, 1)); });
@@ -94,6 +96,8 @@ void writeView(JsonWriter& json, const SheetView& view) {
         json.member("mmPerUnit", *view.mmPerUnit);
     if (view.combScale != 1)
         json.member("combScale", view.combScale);
+    if (view.polylinePoints != SheetView().polylinePoints)
+        json.member("polylinePoints", view.polylinePoints);
     if (!view.parameters.empty())
         json.member("parameters", view.parameters);
     json.endObject();

@@ -3,7 +3,9 @@
 #include "core/figure/caption.h"
 #include "core/geometry/point.h"
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -32,10 +34,19 @@ struct TableColumn {
     friend bool operator==(const TableColumn&, const TableColumn&) = default;
 };
 
+/// What a column of points is worked out by: in every row the sum of products of a number and a point. A term whose
+/// cells are empty does not count.
+struct WeightedSum {
+    std::size_t column = 0;
+    std::vector<std::pair<std::size_t, std::size_t>> terms; ///< columns of the number and of the point
+    friend bool operator==(const WeightedSum&, const WeightedSum&) = default;
+};
+
 struct Table {
     Caption caption = Caption::none;
     std::vector<TableColumn> columns;
     std::vector<std::vector<TableCell>> rows; ///< each as long as there are columns
+    std::optional<WeightedSum> sum = {};
     friend bool operator==(const Table&, const Table&) = default;
 };
 

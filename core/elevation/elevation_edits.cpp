@@ -3,6 +3,7 @@
 #include "core/bezier/elevate.h"
 #include "core/bezier/nearest.h"
 #include "core/bezier/pull.h"
+#include "core/bezier/reduce.h"
 #include "core/document/limits.h"
 
 #include <algorithm>
@@ -56,6 +57,25 @@ std::optional<Edited<ElevationCurve>> withPointInserted(const ElevationCurve& cu
     Edited<ElevationCurve> edited{curve, mapOfEnds(static_cast<int>(curve.points.size()), 1)};
     edited.curve.points = elevated(curve.points, 1);
     return edited;
+}
+
+std::optional<ElevationCurve> withElevatedPolygon(const ElevationCurve& curve) {
+    if (isIncomplete(curve) || curve.times == 0 || derivedPointCount(curve) > limits::kControlPoints)
+        return {};
+    ElevationCurve taken = curve;
+    taken.points = elevated(curve.points, curve.times);
+    taken.times = 0;
+    return taken;
+}
+
+std::optional<Refitted<ElevationCurve>> withDegreeReduced(const ElevationCurve& curve) {
+    std::optional<Reduction> reduction = isIncomplete(curve) ? std::nullopt : reduced(curve.points);
+    if (!reduction)
+        return {};
+    Refitted<ElevationCurve> refitted{{curve, mapOfEnds(static_cast<int>(curve.points.size()), -1)},
+                                      reduction->maxDeviation};
+    refitted.edited.curve.points = std::move(reduction->points);
+    return refitted;
 }
 
 std::optional<ElevationCurve> withCurvePulled(const ElevationCurve& curve, Point from, Vector by) {

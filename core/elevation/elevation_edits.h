@@ -58,6 +58,11 @@ namespace kriva {
                                                                                    std::optional<int>) {
     return withPointInserted(curve, Point{});
 }
+/// The elevated polygon as the control polygon: the same curve of a higher degree. Nothing where it is not elevated, or
+/// has more points than a curve may have.
+[[nodiscard]] std::optional<ElevationCurve> withElevatedPolygon(const ElevationCurve& curve);
+/// One degree less, with how far the curve moves at most; nothing for degree 0 and 1. See reduce.h.
+[[nodiscard]] std::optional<Refitted<ElevationCurve>> withDegreeReduced(const ElevationCurve& curve);
 /// The curve pulled where it is nearest to `from`; nothing where it gives way to no pull. See pull.h.
 [[nodiscard]] std::optional<ElevationCurve> withCurvePulled(const ElevationCurve& curve, Point from, Vector by);
 

@@ -41,6 +41,7 @@ enum class Caption {
     inflections,
     continuityBadges,
     allRules,
+    deCasteljauPolyline,
     runPolygons,
     polynomials,
     // rules of splines, on figures

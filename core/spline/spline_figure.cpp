@@ -18,6 +18,7 @@ constexpr std::array kLayers{
     LayerInfo{"all-rules", Caption::allRules, false, true},
     LayerInfo{"control-polygon", Caption::controlPolygon},
     LayerInfo{"curve", Caption::curve},
+    LayerInfo{"polyline", Caption::deCasteljauPolyline, false, true},
     LayerInfo{"end-derivatives", Caption::endDerivatives, true, true},
     LayerInfo{"handles", Caption::handles},
     LayerInfo{"knots", Caption::knots},
@@ -146,6 +147,9 @@ Figure figureOf(const SplineCurve& curve, const FigureContext& context) {
         figure.layers.push_back(polygonLayer(segments));
         figure.layers.push_back(
             {"curve", {{chain(segments, curve.closed), Role::curve, 0, 1, curve.style, context.curve}}});
+        if (isDrawn("polyline", kLayers, context))
+            figure.layers.push_back(
+                polylineLayer(segments, (context.view ? *context.view : SheetView()).polylinePoints));
         if (context.isActive)
             figure.layers.push_back(endDerivativesLayer(curve, handles));
         figure.layers.push_back(handlesLayer(curve, segments, handles));

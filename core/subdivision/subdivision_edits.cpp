@@ -130,6 +130,20 @@ SubdivisionCurve withBlossom(SubdivisionCurve curve, std::optional<std::vector<d
     return curve;
 }
 
+std::optional<std::array<SubdivisionCurve, 2>> dividedAtCut(const SubdivisionCurve& curve) {
+    if (isIncomplete(curve))
+        return {};
+    Halves halves = split(controlPolygon(curve), curve.t);
+    std::array<SubdivisionCurve, 2> parts{curve, curve};
+    parts[0].points = std::move(halves.left);
+    parts[1].points = std::move(halves.right);
+    for (SubdivisionCurve& part : parts) {
+        part.multiplicity.assign(part.points.size(), 1);
+        part.blossom.reset();
+    }
+    return parts;
+}
+
 std::optional<Edited<SubdivisionCurve>> withPointInserted(const SubdivisionCurve& curve, Point) {
     const int room = mostLevels(controlPointCount(curve) + 1);
     if (isIncomplete(curve) || controlPointCount(curve) == limits::kControlPoints || curve.levels > room)

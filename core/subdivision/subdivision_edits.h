@@ -4,6 +4,7 @@
 #include "core/document/editing/grip.h"
 #include "core/subdivision/subdivision.h"
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -70,6 +71,10 @@ namespace kriva {
 [[nodiscard]] SubdivisionCurve withLevels(SubdivisionCurve curve, int levels);
 /// As many arguments as the degree; with nothing, the blossom is not asked for.
 [[nodiscard]] SubdivisionCurve withBlossom(SubdivisionCurve curve, std::optional<std::vector<double>> arguments);
+
+/// The curves before and behind the cut at t, multiplicities written out. They keep everything but the blossom.
+/// Nothing for incomplete curves.
+[[nodiscard]] std::optional<std::array<SubdivisionCurve, 2>> dividedAtCut(const SubdivisionCurve& curve);
 
 /// One degree elevation, multiplicities written out first: one control point more, the same curve; its inner points are
 /// all new. Nothing where the degree cannot rise.

@@ -26,7 +26,8 @@ class MarkingTranslator : public QTranslator {
 /// What is the same in every language: numbers and signs, letters of formulas, names, keys of documents.
 bool isOfNoLanguage(const QString& line) {
     const QString text = line.section(QLatin1String(": "), 1);
-    static const QRegularExpression signs(QStringLiteral("^[\\s\\d.,;:()eE×%–−+-]*$|^[xyt]$|^(C|G)[012]$|^\\d+–\\d+$"));
+    static const QRegularExpression signs(
+        QStringLiteral("^[\\s\\d.,;:()eE×%–−+-]*$|^[xyt]$|^\\w[₀-₉]+$|^(C|G)[012]$|^\\d+–\\d+$"));
     static const QStringList names{QStringLiteral("English"), QStringLiteral("Български"),
                                    QStringLiteral("Slovenščina"), QStringLiteral("Українська")};
     // "t = 0.5: B0 = 0.125; B1 = 0.375", as a plot tells its values

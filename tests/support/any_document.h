@@ -70,6 +70,7 @@ inline rc::Gen<Document> anyDocument() {
         document.sheets[0].view.layers["labels"] = *rc::gen::arbitrary<bool>();
         document.sheets[1].view.parameters =
             *rc::gen::elementOf(std::vector<std::vector<double>>{{}, {0.5}, {1.0 / 3, 5e-324}});
+        document.sheets[2].view.polylinePoints = *rc::gen::element(2, 8, 100);
         document.sheets[2].view.combScale = *rc::gen::element(1.0, 0.01, 2.0 / 3, 100.0);
         return document;
     });

@@ -22,6 +22,15 @@ W& named(QWidget& parent, const char* name) {
     throw std::runtime_error(std::string("no widget is called ") + name);
 }
 
+/// The first button of a kind with this text.
+template <class B>
+B& saying(QWidget& parent, const char* text) {
+    for (B* button : parent.findChildren<B*>())
+        if (button->text() == QLatin1String(text))
+            return *button;
+    throw std::runtime_error(std::string("no button says ") + text);
+}
+
 inline void click(QWidget& widget) {
     QTest::mouseClick(&widget, Qt::LeftButton);
 }

@@ -42,6 +42,13 @@ void CanvasScene::setHovered(std::optional<GripRef> grip) {
         followHighlights();
 }
 
+void CanvasScene::setPointedOut(Points places) {
+    if (places == pointedOut_)
+        return;
+    pointedOut_ = std::move(places);
+    followHighlights();
+}
+
 void CanvasScene::setGhost(std::optional<Point> place) {
     updateAround(std::exchange(ghost_, place));
     updateAround(ghost_);
@@ -112,7 +119,8 @@ void CanvasScene::prepare() {
 
 void CanvasScene::prepareHighlights() {
     const std::optional<Point> hovered = hovered_ ? curves_.placeOf(*hovered_) : std::nullopt;
-    highlights_ = highlights(selectedPlaces(), hovered, colors_, {sight_.viewport, sight_.devicePixelRatio});
+    highlights_ =
+        highlights(selectedPlaces(), hovered, pointedOut_, colors_, {sight_.viewport, sight_.devicePixelRatio});
     areHighlightsPrepared_ = true;
 }
 

@@ -23,6 +23,8 @@ class CanvasScene : public QGraphicsScene {
     void setSelection(Selection selection);
     [[nodiscard]] const Selection& selection() const { return selection_; }
     void setHovered(std::optional<GripRef> grip);
+    /// Places to look at, such as crossings: each has a wide ring.
+    void setPointedOut(Points places);
     /// Where a point would be inserted.
     void setGhost(std::optional<Point> place);
     [[nodiscard]] std::optional<Point> ghost() const { return ghost_; }
@@ -68,6 +70,7 @@ class CanvasScene : public QGraphicsScene {
     Selection selection_;
     std::optional<Points> selectedPlaces_; ///< as long as they are known
     std::optional<GripRef> hovered_;
+    Points pointedOut_;
     std::optional<Point> ghost_;
     std::optional<QRectF> band_;
     std::optional<Snap> snap_;

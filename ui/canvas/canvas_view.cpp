@@ -101,7 +101,11 @@ void CanvasView::fitSelection() {
 
 void CanvasView::reveal(const GripRef& grip) {
     if (const auto place = scene_.curves().placeOf(grip))
-        setMapping(revealing(mapping(), *place, kMargin));
+        reveal(*place);
+}
+
+void CanvasView::reveal(Point place) {
+    setMapping(revealing(mapping(), place, kMargin));
 }
 
 void CanvasView::hover(QPointF pixel, Qt::KeyboardModifiers modifiers) {

@@ -58,8 +58,11 @@ class CanvasView : public QGraphicsView {
     void hover(QPointF pixel, Qt::KeyboardModifiers modifiers);
     /// Scrolls just so far that the grip is seen.
     void reveal(const GripRef& grip);
+    void reveal(Point place);
     [[nodiscard]] std::optional<Snap> snapOf(const SnappingPlace& place) const { return scene_.snapOf(place); }
     void showSnap(std::optional<Snap> snap) { scene_.setSnap(snap); }
+    /// Rings around places to look at.
+    void setPointedOut(Points places) { scene_.setPointedOut(std::move(places)); }
     /// Where a point would be inserted; shown until the pointer is elsewhere.
     void setGhost(std::optional<Point> place) { scene_.setGhost(place); }
     [[nodiscard]] std::optional<Point> ghost() const { return scene_.ghost(); }

@@ -68,6 +68,23 @@ std::optional<Serial> OpenDocument::add(SheetIndex sheet, int index, Curve curve
     return serial;
 }
 
+bool OpenDocument::divide(SheetIndex sheet, Serial serial, Curve first, Curve second, const StepLabel& label) {
+    endGesture();
+    const std::optional<int> index = indexOf(sheet, serial);
+    if (!index)
+        return false;
+    Sheet divided = this->sheet(sheet);
+    divided.curves[static_cast<std::size_t>(*index)] = first;
+    if (!isWithinLimits(sheet, divided, {}, second))
+        return false;
+    histories_[sheet]->beginMacro(stored(label));
+    change(sheet, serial, std::move(first), label);
+    add(sheet, *index + 1, std::move(second), label);
+    histories_[sheet]->endMacro();
+    setActiveCurve(sheet, serial);
+    return true;
+}
+
 void OpenDocument::remove(SheetIndex sheet, Serial serial, const StepLabel& label) {
     endGesture();
     if (find(sheet, serial))
@@ -90,7 +107,7 @@ void OpenDocument::beginGesture(SheetIndex sheet, Serial serial, const StepLabel
 std::optional<Serial> OpenDocument::beginGestureWithNew(SheetIndex sheet, int index, Curve curve,
                                                         const StepLabel& label) {
     endGesture();
-    if (!isWithinLimits(sheet, {}, curve))
+    if (!isWithinLimits(sheet, this->sheet(sheet), {}, curve))
         return {};
     const Serial serial = present_.newSerial();
     gesture_ = Gesture{sheet, serial, label, curve, true};
@@ -101,7 +118,7 @@ std::optional<Serial> OpenDocument::beginGestureWithNew(SheetIndex sheet, int in
 
 void OpenDocument::preview(Curve curve) {
     if (gesture_ && curve != *find(gesture_->sheet, gesture_->serial) &&
-        isWithinLimits(gesture_->sheet, indexOf(gesture_->sheet, gesture_->serial), curve))
+        isWithinLimits(gesture_->sheet, sheet(gesture_->sheet), indexOf(gesture_->sheet, gesture_->serial), curve))
         put(gesture_->sheet, gesture_->serial, std::move(curve));
 }
 
@@ -161,9 +178,10 @@ std::optional<PlacedCurve> OpenDocument::exchange(SheetIndex sheet, Serial seria
     return before;
 }
 
-bool OpenDocument::isWithinLimits(SheetIndex sheet, std::optional<int> replacedIndex, const Curve& curve) {
+bool OpenDocument::isWithinLimits(SheetIndex sheet, const Sheet& present, std::optional<int> replacedIndex,
+                                  const Curve& curve) {
     const auto replaced = replacedIndex ? std::optional(static_cast<std::size_t>(*replacedIndex)) : std::nullopt;
-    const std::optional<FileError> error = limitErrorWith(present_.sheet(sheet), sheet, replaced, curve);
+    const std::optional<FileError> error = limitErrorWith(present, sheet, replaced, curve);
     if (error)
         Q_EMIT refused(*error);
     return !error;
@@ -203,6 +221,11 @@ void OpenDocument::setLayerShown(SheetIndex sheet, std::string_view layer, bool 
 
 void OpenDocument::setCombScale(SheetIndex sheet, double scale) {
     if (std::exchange(present_.view(sheet).combScale, scale) != scale)
+        Q_EMIT viewChanged(sheet);
+}
+
+void OpenDocument::setPolylinePoints(SheetIndex sheet, int points) {
+    if (std::exchange(present_.view(sheet).polylinePoints, points) != points)
         Q_EMIT viewChanged(sheet);
 }
 

@@ -42,6 +42,8 @@ class OpenDocument : public QObject {
     bool change(SheetIndex sheet, Serial serial, Curve curve, const StepLabel& label);
     /// Gives the new curve's serial, nothing where it is refused. The new curve becomes the active one.
     std::optional<Serial> add(SheetIndex sheet, int index, Curve curve, const StepLabel& label);
+    /// Two curves in place of one, in one step; the first becomes the active one.
+    bool divide(SheetIndex sheet, Serial serial, Curve first, Curve second, const StepLabel& label);
     void remove(SheetIndex sheet, Serial serial, const StepLabel& label);
     void reorder(SheetIndex sheet, Serial serial, int index, const StepLabel& label);
 
@@ -65,6 +67,7 @@ class OpenDocument : public QObject {
     void setCurveShown(SheetIndex sheet, Serial serial, bool isShown);
     void setLayerShown(SheetIndex sheet, std::string_view layer, bool isShown);
     void setCombScale(SheetIndex sheet, double scale);
+    void setPolylinePoints(SheetIndex sheet, int points);
     void setParameters(SheetIndex sheet, std::vector<double> parameters);
 
     [[nodiscard]] QUndoStack& history(SheetIndex sheet) { return *histories_[sheet]; }
@@ -102,7 +105,8 @@ class OpenDocument : public QObject {
     /// As SerialDocument does, and tells.
     std::optional<PlacedCurve> exchange(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other);
     void push(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other, const StepLabel& label);
-    bool isWithinLimits(SheetIndex sheet, std::optional<int> replacedIndex, const Curve& curve);
+    /// Whether it may stand in a sheet with these curves, in place of one of them or besides; tells where not.
+    bool isWithinLimits(SheetIndex sheet, const Sheet& present, std::optional<int> replacedIndex, const Curve& curve);
     void put(SheetIndex sheet, Serial serial, Curve curve);
     void tellModified();
 

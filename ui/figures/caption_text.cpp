@@ -118,6 +118,8 @@ class Captions {
             return tr("Continuity at the knots");
         case Caption::allRules:
             return tr("All rules");
+        case Caption::deCasteljauPolyline:
+            return tr("De Casteljau polyline");
         case Caption::runPolygons:
             return tr("Polygons of runs");
         case Caption::polynomials:

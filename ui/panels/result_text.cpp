@@ -5,7 +5,10 @@
 #include <QLocale>
 #include <QStringList>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace kriva::ui {
 namespace {
@@ -46,6 +49,25 @@ struct ValueText {
     }
 };
 
+/// Each character and the same one as an index.
+constexpr std::array<std::pair<char16_t, char16_t>, 15> kIndices{{
+    {u'0', u'₀'},
+    {u'1', u'₁'},
+    {u'2', u'₂'},
+    {u'3', u'₃'},
+    {u'4', u'₄'},
+    {u'5', u'₅'},
+    {u'6', u'₆'},
+    {u'7', u'₇'},
+    {u'8', u'₈'},
+    {u'9', u'₉'},
+    {u'+', u'₊'},
+    {u'−', u'₋'},
+    {u'i', u'ᵢ'},
+    {u'j', u'ⱼ'},
+    {u'n', u'ₙ'},
+}};
+
 } // namespace
 
 QString resultName(const Result& result) {
@@ -59,6 +81,17 @@ QString resultValue(const Result& result, int digits) {
 
 QString valueText(const Result::Value& value, int digits) {
     return std::visit(ValueText{digits}, value);
+}
+
+QString indexed(const QString& letter, const QString& index) {
+    QString text = letter;
+    for (const QChar character : index) {
+        const auto* known = std::ranges::find(kIndices, character.unicode(), &std::pair<char16_t, char16_t>::first);
+        if (known == kIndices.end())
+            return letter + QLatin1Char('_') + index;
+        text += QChar(known->second);
+    }
+    return text;
 }
 
 } // namespace kriva::ui

@@ -14,4 +14,7 @@ namespace kriva::ui {
 /// Any value likewise.
 [[nodiscard]] QString valueText(const Result::Value& value, int digits);
 
+/// A letter with its index: "b₃", "bᵢ₋₁"; "b_m" where there is no such index in Unicode.
+[[nodiscard]] QString indexed(const QString& letter, const QString& index);
+
 } // namespace kriva::ui

@@ -59,6 +59,16 @@ void ResultsModel::retranslate() {
     Q_EMIT headerDataChanged(Qt::Horizontal, 0, columns - 1);
 }
 
+Points ResultsModel::places(int row) const {
+    const std::optional<Result::Value>& value = results_[static_cast<std::size_t>(row)].value;
+    if (!value)
+        return {};
+    if (const Point* place = std::get_if<Point>(&*value))
+        return {*place};
+    const Points* places = std::get_if<Points>(&*value);
+    return places ? *places : Points();
+}
+
 int ResultsModel::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(results_.size());
 }

@@ -17,6 +17,8 @@ class ResultsModel : public QAbstractTableModel {
     /// Whether any row has another name than before.
     bool setResults(std::vector<Result> results);
     void retranslate();
+    /// Where on the canvas the value of a row lies; nothing for numbers.
+    [[nodiscard]] Points places(int row) const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;

@@ -9,13 +9,15 @@
 #include <QKeyEvent>
 
 #include <algorithm>
+#include <iterator>
 
 namespace kriva::ui {
 
 ResultsPanel::ResultsPanel(ShownSheet& sheet, const SheetRelations& relations, QWidget* parent)
     : QTreeView(parent)
     , results_(sheet)
-    , relations_(relations) {
+    , relations_(relations)
+    , pointedOut_(sheet) {
     setObjectName(QStringLiteral("results"));
     setFrameShape(QFrame::NoFrame);
     setRootIsDecorated(false);
@@ -55,6 +57,29 @@ void ResultsPanel::showState() {
     rows.insert(rows.end(), ofSheet.begin(), ofSheet.end());
     if (model_.setResults(std::move(rows)))
         showColumns();
+    pointedOut_.follow(chosenPlaces());
+}
+
+Points ResultsPanel::chosenPlaces() const {
+    Points places;
+    for (const QModelIndex& row : selectionModel()->selectedRows())
+        std::ranges::copy(model_.places(row.row()), std::back_inserter(places));
+    return places;
+}
+
+void ResultsPanel::selectionChanged(const QItemSelection& selected, const QItemSelection& deselected) {
+    QTreeView::selectionChanged(selected, deselected);
+    pointedOut_.choose(chosenPlaces());
+}
+
+void ResultsPanel::showEvent(QShowEvent* event) {
+    QTreeView::showEvent(event);
+    pointedOut_.choose(chosenPlaces());
+}
+
+void ResultsPanel::hideEvent(QHideEvent* event) {
+    pointedOut_.choose({});
+    QTreeView::hideEvent(event);
 }
 
 void ResultsPanel::showColumns() {

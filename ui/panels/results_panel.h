@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/panels/results_model.h"
+#include "ui/sheets/pointed_out.h"
 #include "ui/sheets/results/curve_results.h"
 
 #include <QTreeView>
@@ -9,7 +10,8 @@ namespace kriva::ui {
 
 class SheetRelations;
 
-/// The numbers of the report for the curve on view and for the sheet, live.
+/// The numbers of the report for the curve on view and for the sheet, live. Places that are chosen here, such as
+/// crossings, are pointed out on the canvas.
 class ResultsPanel : public QTreeView {
     Q_OBJECT
   public:
@@ -20,16 +22,21 @@ class ResultsPanel : public QTreeView {
     void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void selectionChanged(const QItemSelection& selected, const QItemSelection& deselected) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
   private:
     void retranslateUi();
     void showState();
     void showColumns();
     void copy() const;
+    [[nodiscard]] Points chosenPlaces() const;
 
     CurveResults results_;
     const SheetRelations& relations_;
     ResultsModel model_;
+    PointedOut pointedOut_;
 };
 
 } // namespace kriva::ui

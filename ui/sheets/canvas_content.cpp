@@ -24,6 +24,12 @@ CanvasContent::CanvasContent(const ShownSheet& sheet, const SheetRelations& rela
     connect(&document, &OpenDocument::viewChanged, this, ifMine);
     connect(&sheet, &ShownSheet::shownCurveChanged, this, &CanvasContent::update);
     connect(&sheet, &ShownSheet::selectionChanged, this, [this] { canvas_.setSelection(sheet_.selection()); });
+    connect(&sheet, &ShownSheet::pointedOutChanged, this, [this](bool areNew) {
+        const Points& places = sheet_.pointedOut();
+        canvas_.setPointedOut(places);
+        if (areNew && !places.empty())
+            canvas_.reveal(places.front());
+    });
     connect(&relations, &SheetRelations::changed, this, [this] { canvas_.updateCurve(this->relations()); });
 }
 

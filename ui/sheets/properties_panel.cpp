@@ -45,6 +45,7 @@ void PropertiesPanel::addHeading(const char* label) {
     bold.setBold(true);
     text->setFont(bold);
     text->setContentsMargins(0, 8, 0, 0);
+    text->setWordWrap(true);
     layout_->addRow(text);
     rows_.push_back({text, label, nullptr});
 }
@@ -86,6 +87,14 @@ void PropertiesPanel::showLayerBoxes() {
             if (layer.name == row.layer)
                 row.box->setChecked(isShown(layer, editor_.sheet().view));
     }
+}
+
+QPushButton* PropertiesPanel::addButton(const char* label, const std::function<void()>& run) {
+    auto* button = new QPushButton(this);
+    connect(button, &QPushButton::clicked, this, run);
+    buttons_.push_back({button, label});
+    addWide(button);
+    return button;
 }
 
 QComboBox* PropertiesPanel::addChoice(const char* label, std::vector<const char*> entries, const Change& change,
@@ -132,6 +141,8 @@ void PropertiesPanel::retranslateUi() {
     for (const Choice& choice : choices_)
         for (std::size_t i = 0; i < choice.entries.size(); ++i)
             choice.box->setItemText(static_cast<int>(i), translated(choice.entries[i]));
+    for (const Button& row : buttons_)
+        row.button->setText(translated(row.text));
     retranslateFields();
     showState();
 }

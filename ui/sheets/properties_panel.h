@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QPushButton>
 
 #include <functional>
 
@@ -37,6 +38,8 @@ class PropertiesPanel : public QWidget {
     void bindView(SliderField* field, const std::function<void(double)>& set);
     /// A box that shows and hides a layer of the sheet, below all rows so far.
     QCheckBox* addLayerBox(std::string_view layer);
+    /// A button as wide as the panel; `label` likewise.
+    QPushButton* addButton(const char* label, const std::function<void()>& run);
     /// A box whose entries stand for the values of an enumeration, in its order.
     QComboBox* addChoice(const char* label, std::vector<const char*> entries, const Change& change,
                          const StepLabel& step);
@@ -62,6 +65,10 @@ class PropertiesPanel : public QWidget {
         QComboBox* box;
         std::vector<const char*> entries;
     };
+    struct Button {
+        QPushButton* button;
+        const char* text;
+    };
     struct LayerBox {
         QCheckBox* box;
         std::string_view layer;
@@ -73,6 +80,7 @@ class PropertiesPanel : public QWidget {
     QFormLayout* layout_;
     std::vector<Row> rows_;
     std::vector<Choice> choices_;
+    std::vector<Button> buttons_;
     std::vector<LayerBox> layerBoxes_;
 };
 

@@ -143,6 +143,10 @@ void SheetEditor::changeInBurst(Curve value, const StepLabel& label) {
     document().changeInBurst(index(), activeSerial(), std::move(value), label);
 }
 
+void SheetEditor::divide(Curve first, Curve second, const StepLabel& label) {
+    document().divide(index(), activeSerial(), std::move(first), std::move(second), label);
+}
+
 void SheetEditor::reverse() {
     const Curve* curve = activeCurve();
     if (!curve)

@@ -38,6 +38,8 @@ class SheetEditor : public ShownSheet {
     void change(Curve value, const StepLabel& label);
     /// As change, but steps of the same kind that follow each other closely become one.
     void changeInBurst(Curve value, const StepLabel& label);
+    /// Two curves in place of the active one.
+    void divide(Curve first, Curve second, const StepLabel& label);
     void reverse();
     void retractHandle(const GripRef& handle);
     /// Closes an open chain at its first point; false for any other point.

@@ -69,6 +69,18 @@ void ShownSheet::dropStages() {
     layerStage_.reset();
 }
 
+void ShownSheet::pointOut(Points places) {
+    pointedOut_ = std::move(places);
+    Q_EMIT pointedOutChanged(true);
+}
+
+void ShownSheet::movePointedOut(Points places) {
+    if (places == pointedOut_)
+        return;
+    pointedOut_ = std::move(places);
+    Q_EMIT pointedOutChanged(false);
+}
+
 void ShownSheet::select(Selection selection) {
     if (selection == selection_)
         return;

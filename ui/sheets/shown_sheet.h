@@ -33,6 +33,12 @@ class ShownSheet : public QObject {
     [[nodiscard]] Document documentOnView() const;
     [[nodiscard]] bool hasStage() const { return stage_.has_value(); }
 
+    /// Places that a panel points out on the canvas, which scrolls to the first of them.
+    void pointOut(Points places);
+    /// They moved; where there are none, none are pointed out any more.
+    void movePointedOut(Points places);
+    [[nodiscard]] const Points& pointedOut() const { return pointedOut_; }
+
     [[nodiscard]] const Selection& selection() const { return selection_; }
     void select(Selection selection);
     void selectAll();
@@ -44,6 +50,7 @@ class ShownSheet : public QObject {
 
   Q_SIGNALS:
     void selectionChanged();
+    void pointedOutChanged(bool areNew);
     /// What is on view for this curve changed: its value, or the stage in its place.
     void shownCurveChanged(kriva::ui::Serial serial);
 
@@ -59,6 +66,7 @@ class ShownSheet : public QObject {
     OpenDocument& document_;
     SheetIndex index_;
     Selection selection_;
+    Points pointedOut_;
     std::optional<Curve> stage_;
     std::optional<int> layerStage_;
     Serial stagedSerial_ = 0; ///< in whose place the stage stands, or whose layers it hides

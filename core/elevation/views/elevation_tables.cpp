@@ -17,7 +17,8 @@ std::vector<Table> tablesOf(const ElevationCurve& curve) {
                  {Caption::none, "1 − i/N", ""},
                  {Caption::none, "b", "i"},
                  {Caption::none, "b′", "i"}},
-                {}};
+                {},
+                WeightedSum{5, {{1, 2}, {3, 4}}}};
     for (std::size_t i = 0; i < after.size(); ++i) {
         const double part = static_cast<double>(i) / degree;
         table.rows.push_back({{static_cast<int>(i)},

@@ -106,4 +106,19 @@ Layer allRulesLayer(const SplineCurve& curve) {
     return layer;
 }
 
+Points deCasteljauPolyline(std::span<const Points> segments, int points) {
+    Points polyline;
+    polyline.reserve(segments.size() * static_cast<std::size_t>(points - 1) + 1);
+    for (const Points& segment : segments)
+        for (int i = polyline.empty() ? 0 : 1; i < points; ++i)
+            polyline.push_back(evaluate(segment, static_cast<double>(i) / (points - 1)));
+    return polyline;
+}
+
+Layer polylineLayer(std::span<const Points> segments, int points) {
+    Points places = deCasteljauPolyline(segments, points);
+    const Path path = polyline(places);
+    return {"polyline", {{path, Role::derivedPolygon}}, {{std::move(places), Role::derivedPolygon}}};
+}
+
 } // namespace kriva

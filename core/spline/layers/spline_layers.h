@@ -18,4 +18,11 @@ namespace kriva {
 /// others. Nothing for parabolas, which follow no rule. Linear in the knots.
 [[nodiscard]] Layer allRulesLayer(const SplineCurve& curve);
 
+/// The polyline through `points` points of each segment, at equal steps of the parameter and both ends counted, at
+/// least 2, each worked out by de Casteljau's algorithm. Ends where it started where the chain is closed.
+[[nodiscard]] Points deCasteljauPolyline(std::span<const Points> segments, int points);
+
+/// That polyline and its points, for comparison with how programs draw the curve itself.
+[[nodiscard]] Layer polylineLayer(std::span<const Points> segments, int points);
+
 } // namespace kriva

@@ -1,7 +1,9 @@
 #include "tests/support/panel_test.h"
+#include "ui/figures/caption_text.h"
 #include "ui/panels/controls/player.h"
 #include "ui/panels/result_text.h"
 #include "ui/panels/results_panel.h"
+#include "ui/shell/examples.h"
 
 namespace kriva::ui {
 namespace {
@@ -82,6 +84,60 @@ TEST_F(ResultsPanelTest, areEmptyWithoutACurveAndSayThatOneIsIncomplete) {
     EXPECT_EQ(rows(), Rows());
     editor().addPoint({1, 2});
     EXPECT_EQ(rows().size(), 1U);
+}
+
+class SplineResultsTest : public ResultsPanelTest {
+  protected:
+    SplineResultsTest()
+        : ResultsPanelTest(2) {
+        open(exampleDocument(QStringLiteral(":/examples/self-intersections.kriva")).sheets[2].curves);
+        static_cast<void>(rows());
+    }
+    /// The first row of a crossing.
+    [[nodiscard]] int crossingRow() {
+        const Rows shown = rows();
+        for (std::size_t row = 0; row < shown.size(); ++row)
+            if (shown[row].first.startsWith(captionText(Caption::crossing) + QLatin1String(" 0")))
+                return static_cast<int>(row);
+        return -1;
+    }
+    void choose(int row) {
+        table.scrollTo(table.model()->index(row, 0));
+        QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
+                          table.visualRect(table.model()->index(row, 0)).center());
+    }
+};
+
+TEST_F(SplineResultsTest, aChosenCrossingIsPointedOutAndBroughtIntoSight) {
+    const std::vector<Result> ofSheet = relationsOf(editor().sheet(), 2).results;
+    const auto crossing = std::ranges::find(ofSheet, Caption::crossing, &Result::caption);
+    ASSERT_NE(crossing, ofSheet.end());
+    const Point place = std::get<Point>(*crossing->value);
+    Viewport elsewhere = tab.canvas().mapping();
+    elsewhere.centre = place + Vector{1e3, 1e3};
+    tab.canvas().setMapping(elsewhere);
+    choose(crossingRow());
+    EXPECT_EQ(editor().pointedOut(), Points{place});
+    const Box seen = visibleBox(tab.canvas().mapping());
+    EXPECT_TRUE(overlap(seen, boxOf(std::array{place})));
+    EXPECT_EQ(tab.canvas().mapping().scale, elsewhere.scale);
+    EXPECT_EQ(steps(), QStringList());
+    table.clearSelection();
+    EXPECT_EQ(editor().pointedOut(), Points());
+}
+
+TEST_F(SplineResultsTest, theRingIsInkAroundTheCrossing) {
+    tab.canvas().fitAll();
+    const QImage before = tab.canvas().grab().toImage();
+    choose(crossingRow());
+    test::settle();
+    const QImage after = tab.canvas().grab().toImage();
+    const QPoint at = tab.canvas().mapping().toPixels(editor().pointedOut().at(0)).toPoint();
+    int changed = 0;
+    for (int y = -12; y <= 12; ++y)
+        for (int x = -12; x <= 12; ++x)
+            changed += before.pixel(at + QPoint(x, y)) != after.pixel(at + QPoint(x, y)) ? 1 : 0;
+    EXPECT_GT(changed, 60);
 }
 
 } // namespace

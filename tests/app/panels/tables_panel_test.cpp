@@ -1,6 +1,7 @@
 #include "core/io/table_writer.h"
 #include "tests/support/panel_test.h"
 #include "ui/figures/caption_text.h"
+#include "ui/panels/results_panel.h"
 #include "ui/panels/tables/tables_panel.h"
 
 #include <QClipboard>
@@ -76,6 +77,49 @@ TEST_F(TablesPanelTest, keepTheChosenOneAndFollowTheLanguage) {
     EXPECT_EQ(shown(), weights);
     EXPECT_EQ(panel_.findChild<QComboBox*>()->currentIndex(), 1);
     EXPECT_EQ(panel_.findChild<QComboBox*>()->currentText(), captionText(Caption::weightsAtT));
+}
+
+class ElevationTablesTest : public TablesPanelTest {
+  protected:
+    ElevationTablesTest()
+        : TablesPanelTest(0) {
+        open({ElevationCurve{"", {{0, 0}, {0, 3}, {9, 3}, {3, 0}}, 1, {}, {}}});
+        static_cast<void>(shown());
+    }
+    void choose(int row, int column) {
+        auto* view = panel_.findChild<QTableView*>();
+        QTest::mouseClick(view->viewport(), Qt::LeftButton, {},
+                          view->visualRect(view->model()->index(row, column)).center());
+    }
+    [[nodiscard]] QString sum() { return panel_.findChild<QLabel*>(QStringLiteral("sum"))->text(); }
+};
+
+TEST_F(ElevationTablesTest, tellHowTheChosenPointIsWorkedOutAndPointItOut) {
+    choose(1, 5);
+    EXPECT_EQ(sum(), QStringLiteral("b′₁ = 0.25 · (0; 0) + 0.75 · (0; 3) = (0; 2.25)"));
+    EXPECT_EQ(editor().pointedOut(), (Points{{0, 2.25}}));
+    choose(0, 5);
+    EXPECT_EQ(sum(), QStringLiteral("b′₀ = 1 · (0; 0) = (0; 0)"));
+    editor().placePoint(0, {4, 4});
+    static_cast<void>(shown());
+    EXPECT_EQ(sum(), QStringLiteral("b′₀ = 1 · (4; 4) = (4; 4)"));
+    EXPECT_EQ(editor().pointedOut(), (Points{{4, 4}})) << "it moved with the point";
+    choose(0, 0);
+    EXPECT_EQ(editor().pointedOut(), Points()) << "a number is nowhere";
+}
+
+TEST_F(ElevationTablesTest, pointNothingOutBehindAnotherPanel) {
+    choose(1, 5);
+    static_cast<void>(panel<ResultsPanel>("results"));
+    EXPECT_EQ(editor().pointedOut(), Points());
+    static_cast<void>(panel<TablesPanel>("tables"));
+    EXPECT_EQ(editor().pointedOut(), (Points{{0, 2.25}}));
+}
+
+TEST_F(ElevationTablesTest, haveIndicesBelowTheLetters) {
+    const QAbstractItemModel& model = *panel_.findChild<QTableView*>()->model();
+    EXPECT_EQ(model.headerData(2, Qt::Horizontal).toString(), QStringLiteral("bᵢ₋₁"));
+    EXPECT_EQ(model.headerData(5, Qt::Horizontal).toString(), QStringLiteral("b′ᵢ"));
 }
 
 } // namespace

@@ -1,6 +1,8 @@
+#include "core/elevation/elevation_edits.h"
 #include "tests/support/panel_test.h"
 #include "ui/panels/controls/player.h"
 #include "ui/panels/layers_panel.h"
+#include "ui/panels/result_text.h"
 #include "ui/sheets/properties_panel.h"
 
 namespace kriva::ui {
@@ -18,6 +20,11 @@ class ElevationPropertiesTest : public test::PanelTest {
     static ElevationCurve with(ElevationCurve curve, int times) {
         curve.times = times;
         return curve;
+    }
+    [[nodiscard]] QPushButton& buttonSaying(const char* text) { return test::saying<QPushButton>(properties, text); }
+    [[nodiscard]] bool hasLabel(const QString& text) {
+        const QList<QLabel*> labels = properties.findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [&](const QLabel* label) { return label->text() == text; });
     }
     [[nodiscard]] QToolButton& button(const char* name) {
         return *player.findChild<QToolButton*>(QString::fromLatin1(name));
@@ -137,6 +144,37 @@ TEST_F(ElevationPropertiesTest, keysPlayAndStep) {
     QTest::keyClick(player.findChild<QSlider*>(QStringLiteral("scrubber")), Qt::Key_Space);
     EXPECT_FALSE(player.isPlaying());
     expectNoStep(before);
+}
+
+TEST_F(ElevationPropertiesTest, theElevatedPolygonOnViewIsTakenOver) {
+    QPushButton& take = buttonSaying("Make this the control polygon");
+    click(take);
+    expectOneStep("Take the elevated polygon over", before, *withElevatedPolygon(before));
+    player.tick(); // the next stage
+    const auto stage = std::get<ElevationCurve>(*editor().shown(editor().activeSerial()));
+    ASSERT_NE(stage.times, before.times);
+    click(take);
+    EXPECT_FALSE(editor().hasStage());
+    expectOneStep("Take the elevated polygon over", before, *withElevatedPolygon(stage));
+    type(field, "3");
+    EXPECT_FALSE(take.isEnabled()) << "nothing is elevated";
+}
+
+TEST_F(ElevationPropertiesTest, theDeviationIsToldBeforeTheDegreeFalls) {
+    QPushButton& reduce = buttonSaying("Reduce the degree by one");
+    const Refitted<ElevationCurve> reduced = *withDegreeReduced(before);
+    const QString told = QStringLiteral("The curve then moves by at most ") + valueText(*reduced.deviation, 4);
+    EXPECT_TRUE(hasLabel(told)) << told.toStdString();
+    click(reduce);
+    expectOneStep("Reduce the degree", before, reduced.edited.curve);
+    click(reduce);
+    click(reduce);
+    EXPECT_EQ(value<ElevationCurve>().points.size(), 2u);
+    EXPECT_FALSE(reduce.isEnabled());
+    EXPECT_TRUE(hasLabel(QStringLiteral("The degree cannot fall any more")));
+    shell.language.setLanguage(Language::Ukrainian);
+    QApplication::sendPostedEvents();
+    EXPECT_TRUE(hasLabel(QStringLiteral("Степінь більше не можна знизити")));
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 #include "core/spline/editing/chain_edits.h"
 #include "core/spline/editing/joins.h"
 #include "tests/support/panel_test.h"
+#include "ui/panels/result_text.h"
 #include "ui/sheets/properties_panel.h"
+#include "ui/sheets/spline/built_in_drawing.h"
 
 namespace kriva::ui {
 namespace {
@@ -137,9 +139,7 @@ TEST_F(SplinePropertiesTest, theCombIsScaledWithoutAStep) {
     QSlider& scale = named<QSlider>(properties, "Scale of the comb");
     NumberField& field = named<NumberField>(properties, "Scale of the comb");
     EXPECT_FALSE(scale.isEnabled()); // there is no comb yet
-    for (QCheckBox* box : properties.findChildren<QCheckBox*>())
-        if (box->text() == QStringLiteral("Show the comb"))
-            click(*box);
+    click(test::saying<QCheckBox>(properties, "Show the comb"));
     EXPECT_TRUE(editor().sheet().view.layers.at("curvature-comb"));
     EXPECT_TRUE(scale.isEnabled());
     type(field, "2.5");
@@ -150,6 +150,27 @@ TEST_F(SplinePropertiesTest, theCombIsScaledWithoutAStep) {
     EXPECT_GT(editor().sheet().view.combScale, 2.5);
     expectNoStep(before);
     EXPECT_FALSE(document().isModified());
+}
+
+TEST_F(SplinePropertiesTest, theBuiltInDrawingIsComparedWithAPolyline) {
+    QSlider& perSegment = named<QSlider>(properties, "Points per segment");
+    const QLabel& deviation = named<QLabel>(properties, "Largest deviation");
+    EXPECT_EQ(deviation.text(), QStringLiteral("–"));
+    EXPECT_FALSE(perSegment.isEnabled());
+    click(test::saying<QCheckBox>(properties, "Show the polyline"));
+    test::settle();
+    EXPECT_EQ(deviation.text(), valueText(deviationFromBuiltIn(before, 8), 4));
+    type(named<NumberField>(properties, "Points per segment"), "3");
+    test::settle();
+    EXPECT_EQ(editor().sheet().view.polylinePoints, 3);
+    EXPECT_EQ(deviation.text(), valueText(deviationFromBuiltIn(before, 3), 4));
+    const QPoint knot = test::pixelOf(tab, 2);
+    QTest::mousePress(tab.canvas().viewport(), Qt::LeftButton, {}, knot);
+    QTest::mouseMove(tab.canvas().viewport(), knot + QPoint(20, 60));
+    test::settle();
+    EXPECT_EQ(deviation.text(), valueText(deviationFromBuiltIn(value<SplineCurve>(), 3), 4));
+    QTest::keyClick(tab.canvas().viewport(), Qt::Key_Escape);
+    expectNoStep(before);
 }
 
 } // namespace

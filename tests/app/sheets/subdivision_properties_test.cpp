@@ -1,3 +1,4 @@
+#include "core/subdivision/subdivision_edits.h"
 #include "tests/support/panel_test.h"
 #include "ui/panels/controls/player.h"
 #include "ui/sheets/properties_panel.h"
@@ -16,12 +17,7 @@ class SubdivisionPropertiesTest : public test::PanelTest {
   protected:
     SubdivisionPropertiesTest()
         : PanelTest(1) {}
-    [[nodiscard]] QCheckBox& box(const char* text) {
-        for (QCheckBox* found : properties.findChildren<QCheckBox*>())
-            if (found->text() == QLatin1String(text))
-                return *found;
-        throw std::runtime_error(std::string("no box says ") + text);
-    }
+    [[nodiscard]] QCheckBox& box(const char* text) { return test::saying<QCheckBox>(properties, text); }
 
     PropertiesPanel& properties = panel<PropertiesPanel>("properties");
     NumberField& t = named<NumberField>(properties, "Parameter t");
@@ -207,6 +203,27 @@ TEST_F(SubdivisionPropertiesTest, theAnimationStopsWhereItsCurveGoes) {
     EXPECT_TRUE(player.isPlaying());
     editor().clear();
     EXPECT_FALSE(player.isPlaying());
+}
+
+TEST_F(SubdivisionPropertiesTest, splittingMakesTwoCurvesInOneStep) {
+    const auto parts = *dividedAtCut(before);
+    click(test::saying<QPushButton>(properties, "Split here"));
+    EXPECT_EQ(editor().sheet().curves, (std::vector<Curve>{parts[0], parts[1]}));
+    EXPECT_EQ(curve(), Curve(parts[0]));
+    EXPECT_EQ(steps(), QStringList{QStringLiteral("Split the curve")});
+    document().undo();
+    EXPECT_EQ(editor().sheet().curves, std::vector<Curve>{before});
+    document().redo();
+    EXPECT_EQ(editor().sheet().curves.size(), 2u);
+}
+
+TEST_F(SubdivisionPropertiesTest, splittingIsDoneWhereTheStageOnViewIsCut) {
+    properties.findChild<Player*>()->tick();
+    const auto stage = std::get<SubdivisionCurve>(*editor().shown(editor().activeSerial()));
+    ASSERT_NE(stage.t, before.t);
+    shell.window.findChild<QAction*>(QStringLiteral("splitHere"))->trigger();
+    EXPECT_EQ(curve(), Curve((*dividedAtCut(stage))[0]));
+    EXPECT_FALSE(editor().hasStage());
 }
 
 } // namespace

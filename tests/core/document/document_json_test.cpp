@@ -177,6 +177,9 @@ TEST(ReadDocument, refusesNumbersOfViewsThatAreOutOfRange) {
     const std::vector<Case> cases{
         {R"({"combScale":0})", FileProblem::numberOutOfRange, "combScale"},
         {R"({"combScale":100.5})", FileProblem::numberOutOfRange, "combScale"},
+        {R"({"polylinePoints":1})", FileProblem::expectedWholeNumber, "polylinePoints"},
+        {R"({"polylinePoints":101})", FileProblem::expectedWholeNumber, "polylinePoints"},
+        {R"({"polylinePoints":2.5})", FileProblem::expectedWholeNumber, "polylinePoints"},
         {R"({"combScale":"1"})", FileProblem::expectedNumber, "combScale"},
         {R"({"parameters":0.5})", FileProblem::expectedList, "parameters"},
         {R"({"parameters":[0.5,1]})", FileProblem::numberOutOfOpenRange, "parameters[1]"},
@@ -220,6 +223,7 @@ TEST(WriteDocument, readsBackBitForBit) {
     document.sheets[0].view.layers["labels"] = false;
     document.sheets[1].view.parameters = {0.25, 1.0 / 3};
     document.sheets[2].view.combScale = 2.5;
+    document.sheets[2].view.polylinePoints = 12;
     const std::string text = writeDocument(document);
     const auto read = readDocument(text);
     ASSERT_TRUE(std::holds_alternative<Document>(read)) << text;

@@ -1,3 +1,4 @@
+#include "core/bezier/elevate.h"
 #include "core/document/limits.h"
 #include "core/elevation/elevation_edits.h"
 
@@ -54,6 +55,40 @@ TEST(ElevationEdits, countThePointsOfTheElevatedPolygon) {
     EXPECT_EQ(derivedPointCount(example()), 7u);
     EXPECT_EQ(mostPoints(example()), limits::kControlPoints);
     EXPECT_EQ(derivedPointCount(withPointsRemoved(example(), {0, 1}).curve), 0u);
+}
+
+TEST(ElevationEdits, theElevatedPolygonBecomesTheControlPolygon) {
+    const std::optional<ElevationCurve> taken = withElevatedPolygon(example());
+    ASSERT_TRUE(taken);
+    EXPECT_EQ(taken->points, elevated(example().points, 4));
+    EXPECT_EQ(taken->times, 0);
+    EXPECT_EQ(taken->name, "arch");
+    EXPECT_FALSE(withElevatedPolygon(*taken)) << "it is not elevated";
+    ElevationCurve large = example();
+    large.times = static_cast<int>(limits::kControlPoints) - 3;
+    EXPECT_TRUE(withElevatedPolygon(large));
+    ++large.times;
+    EXPECT_FALSE(withElevatedPolygon(large)) << "too many points";
+}
+
+TEST(ElevationEdits, oneDegreeLessUndoesAnElevation) {
+    ElevationCurve raised = example();
+    raised.points = elevated(raised.points, 1);
+    const auto reduced = withDegreeReduced(raised);
+    ASSERT_TRUE(reduced);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_LT(distance(reduced->edited.curve.points[i], example().points[i]), 1e-14);
+    EXPECT_LT(*reduced->deviation, 1e-14);
+    EXPECT_EQ(reduced->edited.map.newIndex, (std::vector{0, IndexMap::kGone, IndexMap::kGone, 2}));
+    EXPECT_EQ(reduced->edited.curve.times, 4);
+}
+
+TEST(ElevationEdits, oneDegreeLessTellsHowFarTheCurveMoves) {
+    const auto reduced = withDegreeReduced(example()); // to the line between its ends
+    ASSERT_TRUE(reduced);
+    EXPECT_EQ(reduced->edited.curve.points, (Points{{0, 0}, {3, 1}}));
+    EXPECT_NEAR(*reduced->deviation, std::hypot(0.25, 0.75), 1e-12) << "at t = 1/2, (b0 - 2 b1 + b2) / 4";
+    EXPECT_FALSE(withDegreeReduced(reduced->edited.curve));
 }
 
 } // namespace

@@ -172,5 +172,21 @@ RC_GTEST_PROP(SubdivisionEdits, removingFollowsTheMap, ()) {
     }
 }
 
+RC_GTEST_PROP(SubdivisionEdits, dividedAtTheCutAreTheTwoHalves, ()) {
+    const SubdivisionCurve curve = *test::anySubdivision();
+    const auto parts = dividedAtCut(curve);
+    RC_ASSERT(parts.has_value() == !isIncomplete(curve));
+    if (!parts)
+        return;
+    const Subdivision cut = subdivide(curve);
+    RC_ASSERT((*parts)[0].points == cut.halves.left);
+    RC_ASSERT((*parts)[1].points == cut.halves.right);
+    for (const SubdivisionCurve& part : *parts) {
+        RC_ASSERT(part.multiplicity == std::vector<int>(part.points.size(), 1));
+        RC_ASSERT(!part.blossom);
+        RC_ASSERT(part.t == curve.t && part.levels == curve.levels && part.style == curve.style);
+    }
+}
+
 } // namespace
 } // namespace kriva

@@ -1,5 +1,6 @@
 #include "core/document/document_json.h"
 #include "core/document/limits.h"
+#include "core/subdivision/subdivision_edits.h"
 #include "ui/document/open_document.h"
 #include "ui/sheets/sheet_editor.h"
 
@@ -277,6 +278,32 @@ TEST_F(OpenDocumentTest, anySequenceCanBeUndoneAndRedoneByteForByte) {
         redone.sheets[kElevation].view = std::get<Document>(readDocument(end)).sheets[kElevation].view;
         ASSERT_EQ(writeDocument(redone, 0), end);
     }
+}
+
+TEST_F(OpenDocumentTest, dividingACurveIsOneStepAndIsRefusedAsAWhole) {
+    SubdivisionCurve whole;
+    whole.points = {{0, 0}, {1, 1}, {2, 0}};
+    whole.multiplicity.assign(3, 1);
+    Document start;
+    start.sheets[1].curves = {whole, whole};
+    document.replace(start);
+    const Serial first = document.serials(1)[0];
+    const auto parts = *dividedAtCut(whole);
+    EXPECT_TRUE(document.divide(1, first, parts[0], parts[1], kMove));
+    EXPECT_EQ(document.sheet(1).curves, (std::vector<Curve>{parts[0], parts[1], whole}));
+    EXPECT_EQ(document.activeCurve(1), first);
+    EXPECT_EQ(document.history(1).count(), 1);
+    document.setActiveSheet(1);
+    document.undo();
+    EXPECT_EQ(document.sheet(1).curves, (std::vector<Curve>{whole, whole}));
+    document.redo();
+    EXPECT_EQ(document.sheet(1).curves.size(), 3u);
+
+    start.sheets[1].curves.assign(limits::kCurvesInSheet, whole);
+    document.replace(start);
+    EXPECT_FALSE(document.divide(1, document.serials(1)[0], parts[0], parts[1], kMove));
+    EXPECT_EQ(document.sheet(1).curves, start.sheets[1].curves);
+    EXPECT_EQ(document.history(1).count(), 0);
 }
 
 } // namespace

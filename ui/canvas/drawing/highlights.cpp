@@ -10,6 +10,8 @@ namespace {
 // In points, and larger than any mark of a figure.
 constexpr double kSelectedSize = 6;
 constexpr double kHoveredSize = 8.5;
+constexpr double kPointedOutSize = 14;
+constexpr double kPointedOutline = 2;
 constexpr double kOutline = 1.2;
 
 constexpr double kSnapMarkReach = 11; // pixels: outside of the mark of the point itself
@@ -28,11 +30,14 @@ constexpr double kGhostOpacity = 0.6;
 } // namespace
 
 std::vector<Stamps> highlights(std::span<const Point> selected, std::optional<Point> hovered,
-                               const HighlightColors& colors, StampView view) {
+                               std::span<const Point> pointedOut, const HighlightColors& colors, StampView view) {
     const Color accent = toCore(colors.accent);
     const RoleStyle disc{toCore(colors.ink), 0, {}, Marker::circle, kSelectedSize, kOutline, accent};
     const RoleStyle ring{accent, 0, {}, Marker::ring, kHoveredSize, kOutline, {}};
+    const RoleStyle wideRing{accent, 0, {}, Marker::ring, kPointedOutSize, kPointedOutline, {}};
     std::vector<Stamps> stamps;
+    if (!pointedOut.empty())
+        stamps.push_back(stampsAt(pointedOut, markPicture(wideRing, view.devicePixelRatio), view));
     if (hovered)
         stamps.push_back(stampsAt({&*hovered, 1}, markPicture(ring, view.devicePixelRatio), view));
     view.most = FrameLoad::kMarks;

@@ -14,9 +14,11 @@ struct HighlightColors {
     QColor ink;
 };
 
-/// The marks over selected grips and, larger and hollow, over the one under the pointer: they differ without colour.
+/// The marks over selected grips; over the one under the pointer, larger and hollow; and around places that are pointed
+/// out, larger still: they differ without colour.
 [[nodiscard]] std::vector<Stamps> highlights(std::span<const Point> selected, std::optional<Point> hovered,
-                                             const HighlightColors& colors, StampView view);
+                                             std::span<const Point> pointedOut, const HighlightColors& colors,
+                                             StampView view);
 
 /// A small mark around the place that a dragged point snapped to: a square on a point, a cross over a curve, a plus on
 /// the grid.

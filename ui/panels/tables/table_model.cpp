@@ -16,8 +16,12 @@ constexpr int kFullDigits = 17;
 [[nodiscard]] QString nameOf(const TableColumn& column) {
     const QString index = QString::fromStdString(column.index);
     if (column.caption == Caption::none)
-        return QString::fromStdString(column.letter) + (column.index.empty() ? QString() : QLatin1Char('_') + index);
+        return indexed(QString::fromStdString(column.letter), index);
     return index.isEmpty() ? captionText(column.caption) : captionText(column.caption) + QLatin1Char(' ') + index;
+}
+
+[[nodiscard]] bool isEmpty(const TableCell& cell) {
+    return std::holds_alternative<std::monostate>(cell.value);
 }
 
 [[nodiscard]] QString textOf(const TableCell& cell, int digits) {
@@ -83,6 +87,28 @@ QVariant TableModel::data(const QModelIndex& index, int role) const {
     default:
         return {};
     }
+}
+
+std::optional<Point> TableModel::place(const QModelIndex& index) const {
+    const TableCell& cell =
+        table_.rows[static_cast<std::size_t>(index.row())][static_cast<std::size_t>(index.column())];
+    const Point* place = std::get_if<Point>(&cell.value);
+    return place ? std::optional(*place) : std::nullopt;
+}
+
+QString TableModel::sumText(int row) const {
+    if (!table_.sum || row < 0 || row >= rowCount())
+        return {};
+    const std::vector<TableCell>& cells = table_.rows[static_cast<std::size_t>(row)];
+    QStringList terms;
+    for (const auto& [number, point] : table_.sum->terms)
+        if (!isEmpty(cells[number]) && !isEmpty(cells[point]))
+            terms.append(
+                QStringLiteral("%1 · %2").arg(textOf(cells[number], kShownDigits), textOf(cells[point], kShownDigits)));
+    const std::string& letter = table_.columns[table_.sum->column].letter;
+    return QStringLiteral("%1 = %2 = %3")
+        .arg(indexed(QString::fromStdString(letter), QString::number(row)), terms.join(QStringLiteral(" + ")),
+             textOf(cells[table_.sum->column], kShownDigits));
 }
 
 QVariant TableModel::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -18,8 +18,10 @@ TablesPanel::TablesPanel(ShownSheet& sheet, Tables tables, QWidget* parent)
     : QWidget(parent)
     , choice_(new KeptChoice(this))
     , view_(new QTableView(this))
+    , sum_(new QLabel(this))
     , latex_(new QToolButton(this))
     , csv_(new QToolButton(this))
+    , pointedOut_(sheet)
     , work_(sheet, [this, tables = std::move(tables)](const std::optional<Curve>& curve) -> LatestWork::Take {
         return [this, made = curve ? tables(*curve) : std::vector<Table>()] { take(made); };
     }) {
@@ -40,6 +42,15 @@ TablesPanel::TablesPanel(ShownSheet& sheet, Tables tables, QWidget* parent)
     layout->setSpacing(2);
     layout->addLayout(row);
     layout->addWidget(view_, 1);
+    layout->addWidget(sum_);
+    sum_->setObjectName(QStringLiteral("sum"));
+    sum_->setWordWrap(true);
+    sum_->setMargin(4);
+    sum_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        followChoice();
+        pointedOut_.choose(chosenPlaces());
+    });
     connect(choice_, &QComboBox::currentIndexChanged, this, &TablesPanel::showTable);
     connect(latex_, &QToolButton::clicked, this, &TablesPanel::copyLatex);
     connect(csv_, &QToolButton::clicked, this, &TablesPanel::copyDelimited);
@@ -54,11 +65,13 @@ void TablesPanel::changeEvent(QEvent* event) {
 
 void TablesPanel::showEvent(QShowEvent* event) {
     work_.setWatched(true);
+    pointedOut_.choose(chosenPlaces());
     QWidget::showEvent(event);
 }
 
 void TablesPanel::hideEvent(QHideEvent* event) {
     work_.setWatched(false);
+    pointedOut_.choose({});
     QWidget::hideEvent(event);
 }
 
@@ -74,6 +87,7 @@ void TablesPanel::retranslateUi() {
     showNames();
     model_.retranslate();
     view_->resizeColumnsToContents();
+    followChoice();
 }
 
 void TablesPanel::take(std::vector<Table> tables) {
@@ -97,6 +111,23 @@ void TablesPanel::showTable() {
     model_.setTable(chosen < tables_.size() ? tables_[chosen] : Table());
     if (model_.table().columns != before)
         view_->resizeColumnsToContents();
+    followChoice();
+    pointedOut_.follow(chosenPlaces());
+}
+
+void TablesPanel::followChoice() {
+    const QModelIndexList chosen = view_->selectionModel()->selectedIndexes();
+    const QString text = chosen.isEmpty() ? QString() : model_.sumText(chosen.last().row());
+    sum_->setText(text);
+    sum_->setVisible(!text.isEmpty());
+}
+
+Points TablesPanel::chosenPlaces() const {
+    Points places;
+    for (const QModelIndex& cell : view_->selectionModel()->selectedIndexes())
+        if (const std::optional<Point> place = model_.place(cell))
+            places.push_back(*place);
+    return places;
 }
 
 void TablesPanel::copyLatex() const {

@@ -2,14 +2,17 @@
 
 #include "ui/panels/controls/kept_choice.h"
 #include "ui/panels/tables/table_model.h"
+#include "ui/sheets/pointed_out.h"
 #include "ui/sheets/results/curve_work.h"
 
+#include <QLabel>
 #include <QTableView>
 #include <QToolButton>
 
 namespace kriva::ui {
 
-/// The tables of the active curve, one at a time, live; copied as LaTeX or for a spreadsheet.
+/// The tables of the active curve, one at a time, live; copied as LaTeX or for a spreadsheet. Points that are chosen
+/// here are pointed out on the canvas, and how they are worked out stands below where the table says it.
 class TablesPanel : public QWidget {
     Q_OBJECT
   public:
@@ -28,6 +31,9 @@ class TablesPanel : public QWidget {
     void take(std::vector<Table> tables);
     void showNames();
     void showTable();
+    /// What belongs to the cells that are chosen.
+    void followChoice();
+    [[nodiscard]] Points chosenPlaces() const;
     void copyLatex() const;
     void copyDelimited() const;
 
@@ -35,8 +41,10 @@ class TablesPanel : public QWidget {
     TableModel model_;
     KeptChoice* choice_;
     QTableView* view_;
+    QLabel* sum_;
     QToolButton* latex_;
     QToolButton* csv_;
+    PointedOut pointedOut_;
     CurveWork work_;
 };
 

@@ -1,6 +1,9 @@
 #include "ui/sheets/elevation/elevation_properties.h"
 
 #include "core/document/limits.h"
+#include "core/elevation/elevation_edits.h"
+#include "ui/panels/result_text.h"
+#include "ui/sheets/elevation/elevation_actions.h"
 
 #include <algorithm>
 
@@ -9,6 +12,8 @@ namespace {
 
 /// As far as one looks at first: the 97 elevations after which the polygon of a cubic can hardly be told from it.
 constexpr int kUsualElevations = 97;
+
+constexpr int kDigits = 4; // of a deviation: how large it is, not what it is
 
 /// The largest number of elevations that the slider and the player run through.
 int shownElevations(const ElevationCurve& curve) {
@@ -26,6 +31,7 @@ Curve withTimes(const Curve& curve, int times) {
 ElevationProperties::ElevationProperties(SheetEditor& editor, QWidget* parent)
     : PropertiesPanel(editor, parent)
     , degree_(new SliderField(this))
+    , deviation_(new QLabel(this))
     , player_(new Player(this)) {
     addRow(QT_TRANSLATE_NOOP("Properties", "Degree"), degree_);
     bind(degree_,
@@ -34,6 +40,12 @@ ElevationProperties::ElevationProperties(SheetEditor& editor, QWidget* parent)
          },
          {QT_TRANSLATE_NOOP("Step", "Raise the degree")});
     connect(degree_, &SliderField::dragEnded, this, &ElevationProperties::showState);
+    takePolygon_ = addButton(QT_TRANSLATE_NOOP("Properties", "Make this the control polygon"),
+                             [this] { takeElevatedPolygon(this->editor()); });
+    reduce_ = addButton(QT_TRANSLATE_NOOP("Properties", "Reduce the degree by one"),
+                        [this] { reduceDegree(this->editor()); });
+    addWide(deviation_);
+    deviation_->setWordWrap(true);
     addHeading(QT_TRANSLATE_NOOP("Properties", "Animation"));
     addWide(player_);
     connect(player_, &Player::stageChanged, this, &ElevationProperties::showStage);
@@ -44,6 +56,8 @@ ElevationProperties::ElevationProperties(SheetEditor& editor, QWidget* parent)
 void ElevationProperties::showCurve() {
     const auto& value = curve<ElevationCurve>();
     setEnabled(!isIncomplete(value));
+    takePolygon_->setEnabled(canTakeElevatedPolygon(editor()));
+    showReduction();
     if (isIncomplete(value))
         return;
     const int degree = *polynomialDegree(value);
@@ -54,6 +68,18 @@ void ElevationProperties::showCurve() {
     player_->setLast(shownElevations(value));
     if (!editor().hasStage())
         player_->setStage(value.times);
+}
+
+void ElevationProperties::retranslateFields() {
+    if (editor().activeCurve())
+        showReduction();
+}
+
+void ElevationProperties::showReduction() {
+    const std::optional<Refitted<ElevationCurve>> reduced = withDegreeReduced(curve<ElevationCurve>());
+    reduce_->setEnabled(reduced.has_value());
+    deviation_->setText(reduced ? tr("The curve then moves by at most %1").arg(valueText(*reduced->deviation, kDigits))
+                                : tr("The degree cannot fall any more"));
 }
 
 void ElevationProperties::showStage(int times) {

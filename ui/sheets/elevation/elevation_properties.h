@@ -5,7 +5,7 @@
 
 namespace kriva::ui {
 
-/// How often the degree is raised, and a player over the elevations.
+/// How often the degree is raised, a player over the elevations, and what makes the degree itself higher or lower.
 class ElevationProperties : public PropertiesPanel {
     Q_OBJECT
   public:
@@ -13,12 +13,17 @@ class ElevationProperties : public PropertiesPanel {
 
   protected:
     void showCurve() override;
+    void retranslateFields() override;
 
   private:
+    void showReduction();
     void showStage(int times);
     void keepStage();
 
     SliderField* degree_;
+    QPushButton* takePolygon_ = nullptr;
+    QPushButton* reduce_ = nullptr;
+    QLabel* deviation_;
     Player* player_;
 };
 

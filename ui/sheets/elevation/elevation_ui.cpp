@@ -3,6 +3,7 @@
 #include "core/document/limits.h"
 #include "core/elevation/views/elevation_plots.h"
 #include "core/elevation/views/elevation_tables.h"
+#include "ui/sheets/elevation/elevation_actions.h"
 #include "ui/sheets/elevation/elevation_properties.h"
 
 namespace kriva::ui {
@@ -32,7 +33,7 @@ SheetUi elevationUi() {
             [](SheetEditor& editor, QWidget* parent) { return new ElevationProperties(editor, parent); },
             {},
             timesNumber(),
-            {},
+            elevationActions(),
             [](const Curve& curve) { return plotsOf(std::get<ElevationCurve>(curve)); },
             [](const Curve& curve) { return tablesOf(std::get<ElevationCurve>(curve)); }};
 }

@@ -3,6 +3,8 @@
 #include "core/document/limits.h"
 #include "core/spline/editing/chain_edits.h"
 #include "core/spline/editing/joins.h"
+#include "ui/panels/result_text.h"
+#include "ui/sheets/spline/built_in_drawing.h"
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
@@ -11,7 +13,9 @@ namespace kriva::ui {
 namespace {
 
 constexpr double kStepOfComb = 0.1;
-constexpr double kUsualCombs = 5; // times the automatic scale: longer teeth leave the canvas
+constexpr int kUsualPolylinePoints = 32; // more can hardly be told from the curve
+constexpr int kDigits = 4;               // of a deviation: how large it is, not what it is
+constexpr double kUsualCombs = 5;        // times the automatic scale: longer teeth leave the canvas
 
 const SplineCurve& valueOf(const Curve& curve) {
     return std::get<SplineCurve>(curve);
@@ -22,7 +26,8 @@ const SplineCurve& valueOf(const Curve& curve) {
 SplineProperties::SplineProperties(SheetEditor& editor, QWidget* parent)
     : PropertiesPanel(editor, parent)
     , degree_(new SliderField(this))
-    , closed_(new QCheckBox(this)) {
+    , closed_(new QCheckBox(this))
+    , comparison_([this] { return comparison(); }) {
     rule_ =
         addChoice(QT_TRANSLATE_NOOP("Properties", "Rule"),
                   {QT_TRANSLATE_NOOP("Properties", "Mirror"), QT_TRANSLATE_NOOP("Properties", "Natural"),
@@ -55,6 +60,7 @@ SplineProperties::SplineProperties(SheetEditor& editor, QWidget* parent)
     start_ = addDerivative(QT_TRANSLATE_NOOP("Properties", "Start"), End::start);
     end_ = addDerivative(QT_TRANSLATE_NOOP("Properties", "End"), End::end);
     addComb();
+    addComparison();
     finish();
 }
 
@@ -66,6 +72,32 @@ void SplineProperties::addComb() {
     combScale_->setRange({kLeastCombScale, kMostCombScale, false, false});
     combScale_->setSlider(kStepOfComb, kUsualCombs, kStepOfComb);
     bindView(combScale_, [this](double scale) { editor().document().setCombScale(editor().index(), scale); });
+}
+
+void SplineProperties::addComparison() {
+    addHeading(QT_TRANSLATE_NOOP("Properties", "Comparison with the built-in drawing"));
+    showsPolyline_ = addLayerBox("polyline");
+    polylinePoints_ = new SliderField(this);
+    addRow(QT_TRANSLATE_NOOP("Properties", "Points per segment"), polylinePoints_);
+    polylinePoints_->setRange({kLeastPolylinePoints, kMostPolylinePoints, false, true});
+    polylinePoints_->setSlider(kLeastPolylinePoints, kUsualPolylinePoints, 1);
+    bindView(polylinePoints_, [this](double points) {
+        editor().document().setPolylinePoints(editor().index(), static_cast<int>(points));
+    });
+    deviation_ = new QLabel(this);
+    addRow(QT_TRANSLATE_NOOP("Properties", "Largest deviation"), deviation_);
+    deviation_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+}
+
+LatestWork::Work SplineProperties::comparison() {
+    const Curve* curve = editor().shown(editor().activeSerial());
+    const int points = editor().sheet().view.polylinePoints;
+    return [this, points, value = curve ? std::get<SplineCurve>(*curve) : SplineCurve()]() -> LatestWork::Take {
+        return [this, deviation = deviationFromBuiltIn(value, points)] {
+            if (showsPolyline_->isChecked())
+                deviation_->setText(valueText(deviation, kDigits));
+        };
+    };
 }
 
 SplineProperties::DerivativeRow SplineProperties::addDerivative(const char* label, End end) {
@@ -106,6 +138,7 @@ void SplineProperties::setDerivative(End end, std::optional<Vector> derivative) 
 void SplineProperties::retranslateFields() {
     closed_->setText(tr("Closed"));
     showsComb_->setText(tr("Show the comb"));
+    showsPolyline_->setText(tr("Show the polyline"));
     for (const DerivativeRow& row : {start_, end_}) {
         row.isGiven->setToolTip(tr("Given here; otherwise that of the natural spline"));
         row.isGiven->setAccessibleName(tr("Given"));
@@ -129,6 +162,17 @@ void SplineProperties::showCurve() {
     combScale_->setEnabled(showsComb_->isChecked());
     showDerivative(start_, End::start);
     showDerivative(end_, End::end);
+    showComparison();
+}
+
+void SplineProperties::showComparison() {
+    const bool isShown = showsPolyline_->isChecked();
+    polylinePoints_->setValue(editor().sheet().view.polylinePoints);
+    polylinePoints_->setEnabled(isShown);
+    if (isShown)
+        comparison_.doSoon();
+    else
+        deviation_->setText(QStringLiteral("–"));
 }
 
 void SplineProperties::showDerivative(const DerivativeRow& row, End end) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/sheets/properties_panel.h"
+#include "ui/sheets/results/latest_work.h"
 
 #include <QCheckBox>
 
@@ -13,8 +14,8 @@ inline constexpr std::array kJoinTexts = {
     QT_TRANSLATE_NOOP("Properties", "Automatic"), QT_TRANSLATE_NOOP("Properties", "Symmetric"),
     QT_TRANSLATE_NOOP("Properties", "Smooth"), QT_TRANSLATE_NOOP("Properties", "Corner")};
 
-/// The rule, the degree, whether the chain is closed, the joins of the selected knots, the end derivatives, and the
-/// curvature comb.
+/// The rule, the degree, whether the chain is closed, the joins of the selected knots, the end derivatives, the
+/// curvature comb, and how far Qt's own drawing and a polyline through points of the curve are apart.
 class SplineProperties : public PropertiesPanel {
     Q_OBJECT
   public:
@@ -35,6 +36,10 @@ class SplineProperties : public PropertiesPanel {
 
     DerivativeRow addDerivative(const char* label, End end);
     void addComb();
+    void addComparison();
+    /// What is worked out of the curve as it is now.
+    [[nodiscard]] LatestWork::Work comparison();
+    void showComparison();
     void showDerivative(const DerivativeRow& row, End end);
     void setDerivative(End end, std::optional<Vector> derivative);
     [[nodiscard]] std::optional<Vector> givenDerivative(End end) const;
@@ -47,6 +52,10 @@ class SplineProperties : public PropertiesPanel {
     DerivativeRow end_;
     QCheckBox* showsComb_ = nullptr;
     SliderField* combScale_ = nullptr;
+    QCheckBox* showsPolyline_ = nullptr;
+    SliderField* polylinePoints_ = nullptr;
+    QLabel* deviation_ = nullptr;
+    LatestWork comparison_;
 };
 
 } // namespace kriva::ui

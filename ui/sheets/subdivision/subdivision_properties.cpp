@@ -2,6 +2,7 @@
 
 #include "core/subdivision/subdivision_edits.h"
 #include "ui/sheets/subdivision/blossom_text.h"
+#include "ui/sheets/subdivision/subdivision_actions.h"
 #include "ui/shell/language/number_text.h"
 
 #include <QSignalBlocker>
@@ -43,6 +44,7 @@ void SubdivisionProperties::makeRows() {
     t_->setSlider(kStepOfT, 1 - kStepOfT, kStepOfT);
     bind(t_, [](const Curve& curve, double t) { return Curve(withT(valueOf(curve), t)); },
          {QT_TRANSLATE_NOOP("Step", "Set the parameter t")});
+    split_ = addButton(QT_TRANSLATE_NOOP("Properties", "Split here"), [this] { splitAtCut(this->editor()); });
     addRow(QT_TRANSLATE_NOOP("Properties", "Levels"), levels_);
     bind(levels_,
          [](const Curve& curve, double levels) { return Curve(withLevels(valueOf(curve), static_cast<int>(levels))); },
@@ -103,6 +105,7 @@ void SubdivisionProperties::showCurve() {
     const auto& value = curve<SubdivisionCurve>();
     const int most = mostLevels(std::max<std::size_t>(controlPointCount(value), 2));
     t_->setValue(value.t);
+    split_->setEnabled(!isIncomplete(value));
     levels_->setRange({0, static_cast<double>(most), false, true});
     levels_->setSlider(0, most, 1);
     levels_->setValue(value.levels);

@@ -8,8 +8,9 @@
 
 namespace kriva::ui {
 
-/// Where the curve is cut and how often, at which further t its scheme is shown, whether the curve is shown, how often
-/// the selected points stand, the blossom's arguments, and a player over t or over the levels.
+/// Where the curve is cut and how often, the cut that makes two curves of it, at which further t its scheme is shown,
+/// whether the curve is shown, how often the selected points stand, the blossom's arguments, and a player over t or
+/// over the levels.
 class SubdivisionProperties : public PropertiesPanel {
     Q_OBJECT
   public:
@@ -36,6 +37,7 @@ class SubdivisionProperties : public PropertiesPanel {
     [[nodiscard]] Played played() const { return static_cast<Played>(playedBox_->currentIndex()); }
 
     SliderField* t_;
+    QPushButton* split_ = nullptr;
     SliderField* levels_;
     QLineEdit* further_;
     QCheckBox* showsCurve_ = nullptr;

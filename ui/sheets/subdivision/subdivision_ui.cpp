@@ -3,6 +3,7 @@
 #include "core/subdivision/subdivision_edits.h"
 #include "core/subdivision/views/subdivision_plots.h"
 #include "core/subdivision/views/subdivision_tables.h"
+#include "ui/sheets/subdivision/subdivision_actions.h"
 #include "ui/sheets/subdivision/subdivision_properties.h"
 #include "ui/shell/language/number_text.h"
 
@@ -48,7 +49,7 @@ SheetUi subdivisionUi() {
             [](SheetEditor& editor, QWidget* parent) { return new SubdivisionProperties(editor, parent); },
             {multiplicityColumn()},
             levelsNumber(),
-            {},
+            subdivisionActions(),
             [](const Curve& curve) { return plotsOf(std::get<SubdivisionCurve>(curve)); },
             [](const Curve& curve) { return tablesOf(std::get<SubdivisionCurve>(curve)); }};
 }

@@ -74,5 +74,14 @@ RC_GTEST_PROP(AllRulesLayer, drawsTheChainOfEveryRuleThroughTheSameKnots, ()) {
     }
 }
 
+TEST(PolylineLayer, runsThroughPointsOfEverySegmentAtEqualSteps) {
+    const std::vector<Points> segments{{{0, 0}, {0, 2}, {8, 2}, {4, 0}}, {{4, 0}, {6, -4}, {8, 0}}};
+    EXPECT_EQ(deCasteljauPolyline(segments, 2), (Points{{0, 0}, {4, 0}, {8, 0}}));
+    EXPECT_EQ(deCasteljauPolyline(segments, 3), (Points{{0, 0}, {3.5, 1.5}, {4, 0}, {6, -2}, {8, 0}}));
+    const Layer layer = polylineLayer(segments, 3);
+    EXPECT_EQ(layer.strokes.at(0).path, polyline(deCasteljauPolyline(segments, 3)));
+    EXPECT_EQ(layer.marks.at(0).at, deCasteljauPolyline(segments, 3));
+}
+
 } // namespace
 } // namespace kriva
