@@ -26,14 +26,17 @@ class MarkingTranslator : public QTranslator {
 /// What is the same in every language: numbers and signs, letters of formulas, names, keys of documents.
 bool isOfNoLanguage(const QString& line) {
     const QString text = line.section(QLatin1String(": "), 1);
-    static const QRegularExpression signs(
-        QStringLiteral("^[\\s\\d.,;:()eE×%–−+-]*$|^[xyt]$|^\\w[₀-₉]+$|^(C|G)[012]$|^\\d+–\\d+$"));
+    static const QRegularExpression signs(QStringLiteral("^[\\s\\d.,;:()eE×%–−+-]*$|^(C|G)[012]$|^\\d+–\\d+$"));
+    // Letters of formulas, each by itself: "x", "bᵢ₋₁", "1 − i/N"
+    static const QRegularExpression letters(
+        QStringLiteral("^(?:(?<![A-Za-z])[A-Za-z](?![A-Za-z])′?[₀-₉ᵢⱼₙ₊₋]*|[\\d\\s−+/])+$"));
     static const QStringList names{QStringLiteral("English"), QStringLiteral("Български"),
                                    QStringLiteral("Slovenščina"), QStringLiteral("Українська")};
     // "t = 0.5: B0 = 0.125; B1 = 0.375", as a plot tells its values
     static const QRegularExpression values(
         QStringLiteral("^<i>\\w</i> = [\\d.,e−+-]+: (<i>\\w+</i><sub>\\d+</sub> = [\\d.,e−+-]+(; )?)*$"));
-    return signs.match(text).hasMatch() || values.match(text).hasMatch() || names.contains(text);
+    return signs.match(text).hasMatch() || letters.match(text).hasMatch() || values.match(text).hasMatch() ||
+           names.contains(text);
 }
 
 TEST(PseudoLanguage, everyVisibleTextIsTranslated) {

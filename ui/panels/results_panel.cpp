@@ -72,14 +72,8 @@ void ResultsPanel::selectionChanged(const QItemSelection& selected, const QItemS
     pointedOut_.choose(chosenPlaces());
 }
 
-void ResultsPanel::showEvent(QShowEvent* event) {
-    QTreeView::showEvent(event);
-    pointedOut_.choose(chosenPlaces());
-}
-
-void ResultsPanel::hideEvent(QHideEvent* event) {
-    pointedOut_.choose({});
-    QTreeView::hideEvent(event);
+void ResultsPanel::setWatched(bool isWatched) {
+    pointedOut_.choose(isWatched ? chosenPlaces() : Points());
 }
 
 void ResultsPanel::showColumns() {

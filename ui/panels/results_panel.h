@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/panels/results_model.h"
+#include "ui/panels/watched_panel.h"
 #include "ui/sheets/pointed_out.h"
 #include "ui/sheets/results/curve_results.h"
 
@@ -12,10 +13,11 @@ class SheetRelations;
 
 /// The numbers of the report for the curve on view and for the sheet, live. Places that are chosen here, such as
 /// crossings, are pointed out on the canvas.
-class ResultsPanel : public QTreeView {
+class ResultsPanel : public QTreeView, public WatchedPanel {
     Q_OBJECT
   public:
     ResultsPanel(ShownSheet& sheet, const SheetRelations& relations, QWidget* parent = nullptr);
+    void setWatched(bool isWatched) override;
 
   protected:
     bool event(QEvent* event) override;
@@ -23,8 +25,6 @@ class ResultsPanel : public QTreeView {
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void selectionChanged(const QItemSelection& selected, const QItemSelection& deselected) override;
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
 
   private:
     void retranslateUi();

@@ -5,6 +5,7 @@
 #include "ui/panels/history_panel.h"
 #include "ui/panels/layers_panel.h"
 #include "ui/panels/results_panel.h"
+#include "ui/panels/watched_panel.h"
 #include "ui/sheets/properties_area.h"
 #include "ui/shell/export_figure.h"
 
@@ -17,7 +18,10 @@ namespace {
 
 constexpr int kColumnWidth = 260; // px: room for a table of points with a column of the sheet's own
 constexpr int kRightWidth = 360;  // px: plots with room for their legends
-constexpr int kGuideWidth = 420;  // px: lines of ten words, and pictures that show their labels
+// px, in a window of usual size: most properties are seen at once.
+constexpr int kPropertiesHeight = 380;
+constexpr int kResultsHeight = 320;
+constexpr int kGuideWidth = 420; // px: lines of ten words, and pictures that show their labels
 
 } // namespace
 
@@ -54,6 +58,7 @@ void SheetPanels::fill() {
                                   {"guide", QT_TRANSLATE_NOOP("SheetPanels", "Guide"), [this] { return guide(); }}});
     // Not as wide as their titles want to be, which differs from language to language.
     tab_.resizeDocks({dockOf("curves"), dockOf("properties")}, {kColumnWidth, kRightWidth}, Qt::Horizontal);
+    tab_.resizeDocks({dockOf("properties"), dockOf("results")}, {kPropertiesHeight, kResultsHeight}, Qt::Vertical);
 }
 
 void SheetPanels::add(Qt::DockWidgetArea area, std::initializer_list<NewPanel> group) {
@@ -68,12 +73,13 @@ void SheetPanels::add(Qt::DockWidgetArea area, std::initializer_list<NewPanel> g
         front = front ? front : dock;
         panels_.push_back({dock, panel.title});
         QObject::connect(dock, &QDockWidget::visibilityChanged, dock, [dock, make = panel.make](bool isVisible) {
-            if (!isVisible || dock->widget())
-                return;
-            QWidget* widget = make();
-            if (!qobject_cast<PropertiesArea*>(widget)) // it knows its own
-                widget->setMinimumWidth(kColumnWidth);
-            dock->setWidget(widget);
+            if (isVisible && !dock->widget()) {
+                dock->setWidget(make());
+                if (!qobject_cast<PropertiesArea*>(dock->widget())) // it knows its own
+                    dock->widget()->setMinimumWidth(kColumnWidth);
+            }
+            if (auto* watched = dynamic_cast<WatchedPanel*>(dock->widget()))
+                watched->setWatched(isVisible);
         });
     }
     front->raise();

@@ -100,7 +100,8 @@ void StatusRow::retranslateUi() {
     hint_->clear(); // the next move of the pointer gives one in the new language
     pointer_->setAccessibleName(tr("Coordinates of the pointer"));
     zoom_->setAccessibleName(tr("Zoom"));
-    showPointer(at_);
+    if (at_)
+        showPointer(*at_);
     showZoom(percent_);
 }
 

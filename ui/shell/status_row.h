@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QStatusBar>
 
+#include <optional>
+
 namespace kriva::ui {
 
 /// The status bar: a hint, the pointer's coordinates, the zoom.
@@ -29,7 +31,7 @@ class StatusRow : public QStatusBar {
     QLabel* hint_;
     QLabel* pointer_;
     QLabel* zoom_;
-    Point at_;
+    std::optional<Point> at_; ///< nothing until the pointer was on a canvas
     bool isTelling_ = false;
     double percent_ = 100;
 };

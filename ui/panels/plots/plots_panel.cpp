@@ -69,14 +69,8 @@ void PlotsPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
 }
 
-void PlotsPanel::showEvent(QShowEvent* event) {
-    work_.setWatched(true);
-    QWidget::showEvent(event);
-}
-
-void PlotsPanel::hideEvent(QHideEvent* event) {
-    work_.setWatched(false);
-    QWidget::hideEvent(event);
+void PlotsPanel::setWatched(bool isWatched) {
+    work_.setWatched(isWatched);
 }
 
 void PlotsPanel::retranslateUi() {

@@ -2,6 +2,7 @@
 
 #include "ui/panels/controls/kept_choice.h"
 #include "ui/panels/plots/plot_view.h"
+#include "ui/panels/watched_panel.h"
 #include "ui/sheets/results/curve_work.h"
 
 #include <QLabel>
@@ -11,13 +12,14 @@
 namespace kriva::ui {
 
 /// The plots of the active curve, one group at a time, live, with a common crosshair and the values under it.
-class PlotsPanel : public QWidget {
+class PlotsPanel : public QWidget, public WatchedPanel {
     Q_OBJECT
   public:
     /// What a sheet has to tell of a curve in plots; called on any thread.
     using Plots = std::function<std::vector<PlotGroup>(const Curve&)>;
 
     PlotsPanel(ShownSheet& sheet, Plots plots, QWidget* parent = nullptr);
+    void setWatched(bool isWatched) override;
 
   Q_SIGNALS:
     /// The plots on view are to be written into a file.
@@ -25,8 +27,6 @@ class PlotsPanel : public QWidget {
 
   protected:
     void changeEvent(QEvent* event) override;
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
 
   private:
     struct Row {

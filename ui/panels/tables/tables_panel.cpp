@@ -63,16 +63,9 @@ void TablesPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
 }
 
-void TablesPanel::showEvent(QShowEvent* event) {
-    work_.setWatched(true);
-    pointedOut_.choose(chosenPlaces());
-    QWidget::showEvent(event);
-}
-
-void TablesPanel::hideEvent(QHideEvent* event) {
-    work_.setWatched(false);
-    pointedOut_.choose({});
-    QWidget::hideEvent(event);
+void TablesPanel::setWatched(bool isWatched) {
+    work_.setWatched(isWatched);
+    pointedOut_.choose(isWatched ? chosenPlaces() : Points());
 }
 
 void TablesPanel::retranslateUi() {

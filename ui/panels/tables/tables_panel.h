@@ -2,6 +2,7 @@
 
 #include "ui/panels/controls/kept_choice.h"
 #include "ui/panels/tables/table_model.h"
+#include "ui/panels/watched_panel.h"
 #include "ui/sheets/pointed_out.h"
 #include "ui/sheets/results/curve_work.h"
 
@@ -13,18 +14,17 @@ namespace kriva::ui {
 
 /// The tables of the active curve, one at a time, live; copied as LaTeX or for a spreadsheet. Points that are chosen
 /// here are pointed out on the canvas, and how they are worked out stands below where the table says it.
-class TablesPanel : public QWidget {
+class TablesPanel : public QWidget, public WatchedPanel {
     Q_OBJECT
   public:
     /// What a sheet has to tell of a curve in tables; called on any thread.
     using Tables = std::function<std::vector<Table>(const Curve&)>;
 
     TablesPanel(ShownSheet& sheet, Tables tables, QWidget* parent = nullptr);
+    void setWatched(bool isWatched) override;
 
   protected:
     void changeEvent(QEvent* event) override;
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
 
   private:
     void retranslateUi();
