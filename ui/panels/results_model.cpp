@@ -10,6 +10,12 @@ namespace {
 
 enum Column { nameColumn, valueColumn, columns };
 
+/// Unlike derivatives and coefficients.
+[[nodiscard]] bool isPlace(Caption caption) {
+    return caption == Caption::crossing || caption == Caption::pointAtT || caption == Caption::leftPolygon ||
+           caption == Caption::rightPolygon || caption == Caption::blossom;
+}
+
 constexpr int kShownDigits = 10;
 constexpr int kFullDigits = 17;
 
@@ -60,12 +66,12 @@ void ResultsModel::retranslate() {
 }
 
 Points ResultsModel::places(int row) const {
-    const std::optional<Result::Value>& value = results_[static_cast<std::size_t>(row)].value;
-    if (!value)
+    const Result& result = results_[static_cast<std::size_t>(row)];
+    if (!result.value || !isPlace(result.caption))
         return {};
-    if (const Point* place = std::get_if<Point>(&*value))
+    if (const Point* place = std::get_if<Point>(&*result.value))
         return {*place};
-    const Points* places = std::get_if<Points>(&*value);
+    const Points* places = std::get_if<Points>(&*result.value);
     return places ? *places : Points();
 }
 

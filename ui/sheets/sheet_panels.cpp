@@ -34,6 +34,7 @@ SheetPanels::SheetPanels(QMainWindow& tab, SheetEditor& editor, const SheetRelat
 void SheetPanels::make() {
     if (!panels_.empty())
         return;
+    tab_.resize(tab_.window()->size()); // nearly: before it is shown, a tab does not know its own
     fill();
     firstLayout_ = tab_.saveState();
     tab_.restoreState(layout_);

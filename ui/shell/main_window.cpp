@@ -34,6 +34,8 @@ MainWindow::MainWindow(const Surroundings& surroundings)
     , status_(new StatusRow(this))
     , tabWidget_(new QTabWidget(this)) {
     setObjectName(QStringLiteral("mainWindow"));
+    if (!restoreGeometry(surroundings_.preferences.windowGeometry())) // the tabs share out what there is
+        resize(1280, 800);
     setWindowIcon(applicationIcon());
     tabWidget_->setDocumentMode(true);
     setCentralWidget(tabWidget_);
@@ -49,8 +51,6 @@ MainWindow::MainWindow(const Surroundings& surroundings)
     menus_->setRecentFiles(surroundings_.preferences.recentFiles());
     menus_->setLanguage(surroundings_.language.language());
     menus_->setThemeChoice(surroundings_.theme.theme());
-    if (!restoreGeometry(surroundings_.preferences.windowGeometry()))
-        resize(1280, 800);
     new PhysicalShortcuts(*this);
     followTab();
     showTheme();
