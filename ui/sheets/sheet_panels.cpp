@@ -6,7 +6,7 @@
 #include "ui/panels/layers_panel.h"
 #include "ui/panels/results_panel.h"
 #include "ui/panels/watched_panel.h"
-#include "ui/sheets/properties_area.h"
+#include "ui/sheets/properties/properties_area.h"
 #include "ui/shell/export_figure.h"
 
 #include <QCoreApplication>

@@ -192,5 +192,14 @@ TEST_F(JoinColumnTest, setsTheJoinOfItsKnotInTheWordsOfTheLanguage) {
     expectNoStep(before);
 }
 
+TEST_F(PointsPanelTest, tellsAllRowsOfAnotherCurveWithTheSamePoints) {
+    open({before, before});
+    const QSignalSpy changes(table.model(), &QAbstractItemModel::dataChanged);
+    document().setActiveCurve(sheet_, document().serials(sheet_)[1]);
+    ASSERT_FALSE(changes.isEmpty());
+    EXPECT_EQ(changes[0][0].toModelIndex().row(), 0);
+    EXPECT_EQ(changes[0][1].toModelIndex().row(), table.model()->rowCount() - 1);
+}
+
 } // namespace
 } // namespace kriva::ui

@@ -3,7 +3,7 @@
 #include "tests/support/panel_test.h"
 #include "ui/figures/caption_text.h"
 #include "ui/panels/controls/player.h"
-#include "ui/sheets/properties_panel.h"
+#include "ui/sheets/properties/properties_panel.h"
 
 #include <QPushButton>
 

@@ -3,7 +3,7 @@
 #include "ui/panels/controls/player.h"
 #include "ui/panels/layers_panel.h"
 #include "ui/panels/result_text.h"
-#include "ui/sheets/properties_panel.h"
+#include "ui/sheets/properties/properties_panel.h"
 
 namespace kriva::ui {
 namespace {

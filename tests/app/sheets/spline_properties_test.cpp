@@ -2,7 +2,7 @@
 #include "core/spline/editing/joins.h"
 #include "tests/support/panel_test.h"
 #include "ui/panels/result_text.h"
-#include "ui/sheets/properties_panel.h"
+#include "ui/sheets/properties/properties_panel.h"
 #include "ui/sheets/spline/built_in_drawing.h"
 
 namespace kriva::ui {

@@ -1,7 +1,7 @@
 #include "core/subdivision/subdivision_edits.h"
 #include "tests/support/panel_test.h"
 #include "ui/panels/controls/player.h"
-#include "ui/sheets/properties_panel.h"
+#include "ui/sheets/properties/properties_panel.h"
 
 #include <QSignalSpy>
 

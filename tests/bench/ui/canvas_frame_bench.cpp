@@ -1,3 +1,4 @@
+#include "tests/support/canvas_spline.h"
 #include "ui/canvas/canvas_view.h"
 #include "ui/canvas/qt_geometry.h"
 
@@ -33,26 +34,6 @@ class NoClient : public CanvasClient {
     void nudge(Vector) override {}
     void hover(const Hit&, Point, Qt::KeyboardModifiers) override {}
 };
-
-/// What a spline tab shows: the curve of cubics, its knots' polygon, marks, and a grip for each knot.
-CanvasCurve splineOf(const Points& knots, Serial serial = 1) {
-    Path path{{knots.front()}, {}, false};
-    for (std::size_t i = 1; i < knots.size(); ++i) {
-        const Vector way = knots[i] - knots[i - 1];
-        const Vector across{-way.y / 4, way.x / 4};
-        path.points.insert(path.points.end(), {knots[i - 1] + way / 3 + across, knots[i] - way / 3 - across, knots[i]});
-        path.degrees.push_back(3);
-    }
-    CanvasCurve curve;
-    curve.serial = serial;
-    curve.isActive = true;
-    curve.figure.layers = {{"control-polygon", {{.path = polyline(knots), .role = Role::controlPolygon}}},
-                           {"curve", {{.path = path}}},
-                           {"knots", {}, {{knots, Role::knot}}}};
-    for (const Point knot : knots)
-        curve.grips.push_back({{GripKind::point, static_cast<int>(curve.grips.size()), 0}, knot});
-    return curve;
-}
 
 /// A wave that fills the square from -1 to 1.
 Points wave(int count) {
@@ -92,11 +73,11 @@ class Canvas {
 void dragFrame(benchmark::State& state) {
     Canvas canvas;
     Points knots = wave(static_cast<int>(state.range(0)));
-    canvas.view().setCurves({splineOf(knots)});
+    canvas.view().setCurves({test::splineOf(knots)});
     canvas.look(1);
     for (auto _ : state) {
         knots[knots.size() / 2].y += 1e-3;
-        canvas.view().updateCurve(splineOf(knots));
+        canvas.view().updateCurve(test::splineOf(knots));
         canvas.paint();
     }
 }
@@ -104,7 +85,7 @@ BENCHMARK(dragFrame)->Arg(4)->Arg(100)->Arg(1'000)->Arg(10'000)->Arg(100'000)->U
 
 void panFrame(benchmark::State& state, Points (*points)(int)) {
     Canvas canvas;
-    canvas.view().setCurves({splineOf(points(static_cast<int>(state.range(0))))});
+    canvas.view().setCurves({test::splineOf(points(static_cast<int>(state.range(0))))});
     double x = 0;
     for (auto _ : state) {
         canvas.look(static_cast<double>(state.range(1)), {x += 1e-3 / static_cast<double>(state.range(1)), 0.1});
@@ -118,7 +99,7 @@ BENCHMARK_CAPTURE(panFrame, scribble, scribble)
 
 void zoomFrame(benchmark::State& state, double zoom) {
     Canvas canvas;
-    canvas.view().setCurves({splineOf(scribble(10'000))});
+    canvas.view().setCurves({test::splineOf(scribble(10'000))});
     double x = 0;
     for (auto _ : state) {
         canvas.look(zoom, {x += 1e-3 / zoom, 0.1});
@@ -134,7 +115,7 @@ BENCHMARK_CAPTURE(zoomFrame, 1e9, 1e9)->Unit(benchmark::kMillisecond);
 
 void penFrame(benchmark::State& state, Points (*points)(int)) {
     Canvas canvas;
-    CanvasCurve curve = splineOf(points(static_cast<int>(state.range(0))));
+    CanvasCurve curve = test::splineOf(points(static_cast<int>(state.range(0))));
     const double width = static_cast<double>(state.range(1)) / kPixelsPerPoint;
     for (Layer& layer : curve.figure.layers)
         for (Stroke& stroke : layer.strokes)
@@ -158,7 +139,7 @@ void manyCurves(benchmark::State& state) {
         Points points = wave(static_cast<int>(state.range(0)));
         for (Point& p : points)
             p.y = p.y / 10 + i / 500.0 - 1;
-        curves.push_back(splineOf(points, static_cast<Serial>(i) + 1));
+        curves.push_back(test::splineOf(points, static_cast<Serial>(i) + 1));
     }
     canvas.view().setCurves(std::move(curves));
     double x = 0;
@@ -183,7 +164,7 @@ BENCHMARK(highDegree)->ArgsProduct({{3, 30, 200}, {1, 1'000, 1'000'000}})->Unit(
 
 void hover(benchmark::State& state) {
     Canvas canvas;
-    canvas.view().setCurves({splineOf(wave(static_cast<int>(state.range(0))))});
+    canvas.view().setCurves({test::splineOf(wave(static_cast<int>(state.range(0))))});
     canvas.look(1);
     canvas.paint();
     double x = 0;

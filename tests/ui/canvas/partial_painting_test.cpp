@@ -1,4 +1,5 @@
 #include "core/figure/labels.h"
+#include "tests/support/canvas_spline.h"
 #include "tests/ui/canvas/canvas_fixture.h"
 
 #include <QImage>
@@ -12,27 +13,12 @@ namespace kriva::ui {
 namespace {
 
 /// A wave of cubics with its polygon, marks and labels, in every kind of pen.
-CanvasCurve waveOf(Points knots, double width, std::optional<LineDash> dash) {
-    Path path{{knots.front()}, {}, false};
-    for (std::size_t i = 1; i < knots.size(); ++i) {
-        const Vector way = knots[i] - knots[i - 1];
-        const Vector across{-way.y / 4, way.x / 4};
-        path.points.insert(path.points.end(), {knots[i - 1] + way / 3 + across, knots[i] - way / 3 - across, knots[i]});
-        path.degrees.push_back(3);
-    }
-    CanvasCurve curve;
-    curve.serial = 1;
-    curve.isActive = true;
-    CurveStyle style;
-    style.width = width;
-    style.dash = dash;
-    curve.figure.layers = {{"control-polygon", {{.path = polyline(knots), .role = Role::controlPolygon}}},
-                           {"curve", {{.path = path, .style = style}}},
-                           {"knots", {}, {{knots, Role::knot}}}};
+CanvasCurve waveOf(const Points& knots, double width, std::optional<LineDash> dash) {
+    CanvasCurve curve = test::splineOf(knots);
+    curve.figure.layers[1].strokes[0].style.width = width;
+    curve.figure.layers[1].strokes[0].style.dash = dash;
     if (knots.size() < 50)
         curve.figure.layers.push_back({"labels", {}, {}, indexedLabels("K", knots)});
-    for (const Point knot : knots)
-        curve.grips.push_back({{GripKind::point, static_cast<int>(curve.grips.size()), 0}, knot});
     return curve;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/panels/controls/player.h"
-#include "ui/sheets/properties_panel.h"
+#include "ui/sheets/properties/properties_panel.h"
 
 namespace kriva::ui {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/sheets/properties_panel.h"
+#include "ui/sheets/properties/properties_panel.h"
 #include "ui/sheets/results/latest_work.h"
 
 #include <QCheckBox>

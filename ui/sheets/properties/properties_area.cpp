@@ -1,4 +1,4 @@
-#include "ui/sheets/properties_area.h"
+#include "ui/sheets/properties/properties_area.h"
 
 #include <QEvent>
 #include <QScrollBar>

@@ -1,4 +1,4 @@
-#include "ui/sheets/properties_panel.h"
+#include "ui/sheets/properties/properties_panel.h"
 
 #include <QCoreApplication>
 #include <QEvent>
