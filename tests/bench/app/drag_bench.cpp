@@ -81,11 +81,3 @@ BENCHMARK(dragInCombined)->RangeMultiplier(10)->Range(10, 10'000)->Unit(benchmar
 
 } // namespace
 } // namespace kriva
-
-int main(int argc, char** argv) {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
-}

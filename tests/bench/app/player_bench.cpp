@@ -28,11 +28,3 @@ BENCHMARK_CAPTURE(playElevations, allPolygonsSoFar, true)->Iterations(97)->Unit(
 
 } // namespace
 } // namespace kriva
-
-int main(int argc, char** argv) {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    QApplication application(argc, argv);
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
-}
