@@ -338,5 +338,21 @@ TEST(Window, bringsTheHistoryToTheFront) {
     EXPECT_TRUE(history->widget()->hasFocus());
 }
 
+TEST(Window, tellsTheZoomOfTheShownTab) {
+    TestWindow shell;
+    const auto* zoom = shell.window.findChild<QLabel*>(QStringLiteral("zoom"));
+    const QLocale locale;
+    for (const SheetIndex sheet : {0, 1, 0}) {
+        SheetTab& tab = shell.shown(sheet);
+        test::settle();
+        EXPECT_EQ(zoom->text(), locale.toString(tab.canvas().zoomPercent(), 'g', 3) + QStringLiteral(" %"));
+        EXPECT_GE(zoom->width(), zoom->sizeHint().width()) << "there is room for it";
+    }
+    shell.window.currentTab().canvas().zoomIn();
+    shell.window.tab(3).canvas().zoomTo100();
+    EXPECT_EQ(zoom->text(),
+              locale.toString(shell.window.currentTab().canvas().zoomPercent(), 'g', 3) + QStringLiteral(" %"));
+}
+
 } // namespace
 } // namespace kriva::ui

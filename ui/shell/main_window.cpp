@@ -76,7 +76,10 @@ void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
         connect(tab, &SheetTab::hintChanged, status_, &StatusRow::showHint);
         connect(tab, &SheetTab::told, status_, &StatusRow::tell);
         connect(&tab->canvas(), &CanvasView::pointerMoved, status_, &StatusRow::showPointer);
-        connect(&tab->canvas(), &CanvasView::zoomChanged, status_, &StatusRow::showZoom);
+        connect(&tab->canvas(), &CanvasView::zoomChanged, this, [this, tab](double percent) {
+            if (tab == &currentTab())
+                status_->showZoom(percent);
+        });
         connect(&tab->canvas(), &CanvasView::toolChanged, this, &MainWindow::followTab);
         connect(&tab->canvas(), &CanvasView::contextMenuRequested, this,
                 [this, tab](QPoint at, const Hit& under) { openContextMenu(*tab, *actions_, at, under); });
