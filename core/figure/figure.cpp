@@ -18,6 +18,8 @@ void append(std::vector<Element>& to, std::vector<Element>&& from) {
 Path chain(const std::vector<Points>& pieces, bool isClosed) {
     Path path;
     path.isClosed = isClosed;
+    path.degrees.reserve(pieces.size());
+    path.points.reserve(pieces.empty() ? 0 : pieces.size() * (pieces.front().size() - 1) + 1);
     for (const Points& piece : pieces) {
         if (path.points.empty())
             path.points.push_back(piece.front());

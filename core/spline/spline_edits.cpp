@@ -141,6 +141,7 @@ IndexMap mapTurned(int count) {
 std::vector<Grip> grips(const SplineCurve& curve) {
     std::vector<Grip> all;
     const std::vector<KnotHandles> handles = knotHandles(curve);
+    all.reserve(3 * curve.knots.size());
     for (int i = 0; i < countOf(curve); ++i)
         all.push_back({{GripKind::point, i}, curve.knots[static_cast<std::size_t>(i)].at});
     for (int i = 0; i < countOf(curve); ++i) {

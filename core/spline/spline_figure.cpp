@@ -42,6 +42,7 @@ Points knotPoints(const SplineCurve& curve) {
 /// All segments' polygons in one stroke, since each starts where the one before ended.
 Layer polygonLayer(const std::vector<Points>& segments) {
     Points polygon{segments.front().front()};
+    polygon.reserve(segments.size() * (segments.front().size() - 1) + 1);
     for (const Points& segment : segments)
         polygon.insert(polygon.end(), segment.begin() + 1, segment.end());
     return {"control-polygon", {{polyline(polygon), Role::controlPolygon}}};
@@ -50,6 +51,7 @@ Layer polygonLayer(const std::vector<Points>& segments) {
 /// The handles in the order of the curve.
 Points handlePoints(std::span<const KnotHandles> handles) {
     Points points;
+    points.reserve(2 * handles.size());
     for (std::size_t i = 0; i < handles.size(); ++i) {
         if (handles[i].out)
             points.push_back(*handles[i].out);
