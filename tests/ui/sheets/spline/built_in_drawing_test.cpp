@@ -1,5 +1,4 @@
 #include "tests/core/spline/spline_values.h"
-
 #include "ui/sheets/spline/built_in_drawing.h"
 
 #include <gtest/gtest.h>
