@@ -70,11 +70,6 @@ void ElevationProperties::showCurve() {
         player_->setStage(value.times);
 }
 
-void ElevationProperties::retranslateFields() {
-    if (editor().activeCurve())
-        showReduction();
-}
-
 void ElevationProperties::showReduction() {
     const std::optional<Refitted<ElevationCurve>> reduced = withDegreeReduced(curve<ElevationCurve>());
     reduce_->setEnabled(reduced.has_value());

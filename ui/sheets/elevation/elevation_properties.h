@@ -13,7 +13,6 @@ class ElevationProperties : public PropertiesPanel {
 
   protected:
     void showCurve() override;
-    void retranslateFields() override;
 
   private:
     void showReduction();
