@@ -1302,6 +1302,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Further t are numbers between 0 and 1, at most %1 of them</source>
         <translation>Другите t са числа между 0 и 1, най-много %1</translation>
     </message>
+    <message>
+        <source>Click: how this point is worked out, in Tables</source>
+        <translation>Щракване: как се изчислява тази точка, в „Таблици“</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>

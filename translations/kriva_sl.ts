@@ -1304,6 +1304,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>Further t are numbers between 0 and 1, at most %1 of them</source>
         <translation>Drugi t so števila med 0 in 1, največ %1</translation>
     </message>
+    <message>
+        <source>Click: how this point is worked out, in Tables</source>
+        <translation>Klik: kako je ta točka izračunana, v Tabelah</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>

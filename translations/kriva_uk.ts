@@ -1303,6 +1303,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Further t are numbers between 0 and 1, at most %1 of them</source>
         <translation>Інші t — це числа між 0 і 1, щонайбільше %1</translation>
     </message>
+    <message>
+        <source>Click: how this point is worked out, in Tables</source>
+        <translation>Клацання: як обчислено цю точку, у «Таблицях»</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>

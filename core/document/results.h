@@ -11,8 +11,10 @@ namespace kriva {
 
 /// One row of numbers for people: in the Results panel and in the table that `kriva report` prints.
 struct Result {
+    /// Points are places in the figure, vectors are not: derivatives, and coefficients that are pairs of numbers.
     /// A word of the field that is the same in every language ("C1", "G2") is a literal text.
-    using Value = std::variant<double, int, std::string, Caption, Point, Box, Points, std::vector<double>>;
+    using Value = std::variant<double, int, std::string, Caption, Point, Points, Vector, std::vector<Vector>, Box,
+                               std::vector<double>>;
     Caption caption = Caption::none;
     std::string index;          ///< "3" of the fourth segment; empty where there is only one
     std::optional<Value> value; ///< nothing where the number does not exist

@@ -19,9 +19,9 @@ struct IndexRange {
     friend bool operator==(const IndexRange&, const IndexRange&) = default;
 };
 
-/// Nothing where there is no number to show.
+/// Nothing where there is no number to show. Points are places in the figure, vectors are not.
 struct TableCell {
-    std::variant<std::monostate, double, int, IndexRange, Caption, Point> value;
+    std::variant<std::monostate, double, int, IndexRange, Caption, Point, Vector> value;
     bool isBest = false; ///< of its column
     friend bool operator==(const TableCell&, const TableCell&) = default;
 };
@@ -49,6 +49,15 @@ struct Table {
     std::optional<WeightedSum> sum = {};
     friend bool operator==(const Table&, const Table&) = default;
 };
+
+struct CellIndex {
+    std::size_t row = 0;
+    std::size_t column = 0;
+    friend bool operator==(const CellIndex&, const CellIndex&) = default;
+};
+
+/// Where a point stands, as exactly this value: in the column of the sums if it does, else the first place row by row.
+[[nodiscard]] std::optional<CellIndex> cellOf(const Table& table, Point point);
 
 /// Marks the smallest numbers of a column as the best.
 void markLeast(Table& table, std::size_t column);

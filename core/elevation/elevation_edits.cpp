@@ -7,6 +7,7 @@
 #include "core/document/limits.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace kriva {
 
@@ -59,9 +60,12 @@ std::optional<Edited<ElevationCurve>> withPointInserted(const ElevationCurve& cu
     return edited;
 }
 
-std::optional<ElevationCurve> withElevatedPolygon(const ElevationCurve& curve) {
-    if (isIncomplete(curve) || curve.times == 0 || derivedPointCount(curve) > limits::kControlPoints)
-        return {};
+bool canTakeElevatedPolygon(const ElevationCurve& curve) {
+    return !isIncomplete(curve) && curve.times > 0 && derivedPointCount(curve) <= limits::kControlPoints;
+}
+
+ElevationCurve withElevatedPolygon(const ElevationCurve& curve) {
+    assert(canTakeElevatedPolygon(curve));
     ElevationCurve taken = curve;
     taken.points = elevated(curve.points, curve.times);
     taken.times = 0;

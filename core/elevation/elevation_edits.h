@@ -58,9 +58,10 @@ namespace kriva {
                                                                                    std::optional<int>) {
     return withPointInserted(curve, Point{});
 }
-/// The elevated polygon as the control polygon: the same curve of a higher degree. Nothing where it is not elevated, or
-/// has more points than a curve may have.
-[[nodiscard]] std::optional<ElevationCurve> withElevatedPolygon(const ElevationCurve& curve);
+/// Not where it is not elevated, nor where the polygon has more points than a curve may have.
+[[nodiscard]] bool canTakeElevatedPolygon(const ElevationCurve& curve);
+/// The elevated polygon, which can be taken, as the control polygon: the same curve of a higher degree.
+[[nodiscard]] ElevationCurve withElevatedPolygon(const ElevationCurve& curve);
 /// One degree less, with how far the curve moves at most; nothing for degree 0 and 1. See reduce.h.
 [[nodiscard]] std::optional<Refitted<ElevationCurve>> withDegreeReduced(const ElevationCurve& curve);
 /// The curve pulled where it is nearest to `from`; nothing where it gives way to no pull. See pull.h.

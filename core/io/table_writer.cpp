@@ -32,22 +32,31 @@ std::string nameOf(const TableColumn& column, const TextSource& texts) {
     return column.letter + column.index;
 }
 
+/// The coordinates of a point or a vector.
+std::optional<Vector> pairOf(const TableCell& cell) {
+    if (const Point* point = std::get_if<Point>(&cell.value))
+        return *point - Point{};
+    const Vector* vector = std::get_if<Vector>(&cell.value);
+    return vector ? std::optional(*vector) : std::nullopt;
+}
+
 std::string plainCell(const TableCell& cell, const TextSource& texts) {
-    return std::visit(Overloaded{[](std::monostate) { return std::string(); }, [](double v) { return shortest(v); },
-                                 [](int v) { return decimal(v); }, [](IndexRange v) { return rangeText(v); },
-                                 [&](Caption v) { return texts.translate(v); }, [](Point) { return std::string(); }},
+    return std::visit(Overloaded{[](double v) { return shortest(v); }, [](int v) { return decimal(v); },
+                                 [](IndexRange v) { return rangeText(v); },
+                                 [&](Caption v) { return texts.translate(v); },
+                                 [](const auto&) { return std::string(); }},
                       cell.value);
 }
 
-/// A point takes two fields, and so do all cells of its column.
-void addFields(std::vector<std::string>& fields, const TableCell& cell, bool hasPoints, const TextSource& texts) {
-    if (const Point* point = std::get_if<Point>(&cell.value)) {
-        fields.push_back(shortest(point->x));
-        fields.push_back(shortest(point->y));
+/// A pair takes two fields, and so do all cells of its column.
+void addFields(std::vector<std::string>& fields, const TableCell& cell, bool hasPairs, const TextSource& texts) {
+    if (const std::optional<Vector> pair = pairOf(cell)) {
+        fields.push_back(shortest(pair->x));
+        fields.push_back(shortest(pair->y));
         return;
     }
     fields.push_back(plainCell(cell, texts));
-    if (hasPoints)
+    if (hasPairs)
         fields.emplace_back();
 }
 
@@ -121,7 +130,7 @@ std::string latexNumber(double value, const TextSource& texts) {
     return exponent == 0 ? text : text + " \\cdot 10^{" + shortest(exponent) + "}";
 }
 
-std::string latexPoint(Point p, const TextSource& texts) {
+std::string latexPair(Vector p, const TextSource& texts) {
     return std::string("(").append(latexNumber(p.x, texts)).append(";\\ ").append(latexNumber(p.y, texts)).append(")");
 }
 
@@ -132,11 +141,12 @@ std::string latexCell(const TableCell& cell, const TextSource& texts) {
     const auto words = [&](const std::string& text) {
         return cell.isBest ? std::string("\\textbf{").append(latexText(text)).append("}") : latexText(text);
     };
+    if (const std::optional<Vector> pair = pairOf(cell))
+        return formula(latexPair(*pair, texts));
     return std::visit(
-        Overloaded{
-            [](std::monostate) { return std::string(); }, [&](double v) { return formula(latexNumber(v, texts)); },
-            [&](int v) { return formula(decimal(v)); }, [&](Point v) { return formula(latexPoint(v, texts)); },
-            [&](IndexRange v) { return words(rangeText(v)); }, [&](Caption v) { return words(texts.translate(v)); }},
+        Overloaded{[&](double v) { return formula(latexNumber(v, texts)); }, [&](int v) { return formula(decimal(v)); },
+                   [&](IndexRange v) { return words(rangeText(v)); },
+                   [&](Caption v) { return words(texts.translate(v)); }, [](const auto&) { return std::string(); }},
         cell.value);
 }
 
@@ -154,9 +164,8 @@ void addLatexRow(std::string& text, const std::vector<std::string>& cells) {
     text += " \\\\\n";
 }
 
-bool hasPoints(const Table& table, std::size_t column) {
-    return std::ranges::any_of(table.rows,
-                               [&](const auto& row) { return std::holds_alternative<Point>(row[column].value); });
+bool hasPairs(const Table& table, std::size_t column) {
+    return std::ranges::any_of(table.rows, [&](const auto& row) { return pairOf(row[column]).has_value(); });
 }
 
 bool isNumber(const TableCell& cell) {
@@ -180,7 +189,7 @@ std::string writeDelimited(const Table& table, const TextSource& texts, char sep
     std::vector<std::string> fields;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const std::string name = nameOf(table.columns[i], texts);
-        if (hasPoints(table, i))
+        if (hasPairs(table, i))
             fields.insert(fields.end(), {name + " x", name + " y"});
         else
             fields.push_back(name);
@@ -189,7 +198,7 @@ std::string writeDelimited(const Table& table, const TextSource& texts, char sep
     for (const std::vector<TableCell>& row : table.rows) {
         fields.clear();
         for (std::size_t i = 0; i < row.size(); ++i)
-            addFields(fields, row[i], hasPoints(table, i), texts);
+            addFields(fields, row[i], hasPairs(table, i), texts);
         addRecord(text, fields, separator);
     }
     return text;

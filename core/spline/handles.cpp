@@ -2,6 +2,9 @@
 
 #include "core/spline/smooth_chain.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace kriva {
 namespace {
 
@@ -34,18 +37,30 @@ Handles mirrorHandles(const SplineCurve& curve, std::span<const Vector> chords) 
     return handles;
 }
 
+/// A chord as the centripetal spline sees it.
+struct CentripetalStep {
+    Vector direction; ///< of length 1; zero where the knots coincide
+    double step = 0;  ///< of the spline's own parameter: the root of the length
+};
+
+CentripetalStep centripetalStep(Vector chord) {
+    const double size = length(chord);
+    return size == 0 ? CentripetalStep{} : CentripetalStep{chord / size, std::sqrt(size)};
+}
+
 /// The tangent of the centripetal spline at a knot, per unit of its own parameter; zero where a neighbour coincides.
 /// The chords are unit vectors times squares of the steps, so that its three terms come down to the sum of these unit
 /// vectors: nothing is left over where a chain turns straight back.
-Vector centripetalTangent(Vector before, Vector after, double stepBefore, double stepAfter) {
-    if (stepBefore == 0 || stepAfter == 0)
+Vector centripetalTangent(const CentripetalStep& before, const CentripetalStep& after) {
+    if (before.step == 0 || after.step == 0)
         return {};
-    const Vector units = before / length(before) + after / length(after);
-    return units * (stepBefore / (stepBefore + stepAfter) * stepAfter);
+    return (before.direction + after.direction) * (before.step / (before.step + after.step) * after.step);
 }
 
 Handles catmullRomHandles(const SplineCurve& curve, std::span<const Vector> chords) {
     Handles handles(chords.size());
+    std::vector<CentripetalStep> steps(chords.size());
+    std::ranges::transform(chords, steps.begin(), centripetalStep);
     const std::size_t knotCount = curve.knots.size();
     for (std::size_t i = 0; i < knotCount; ++i) {
         // At an open end the missing neighbour is the mirror image of the other one, so its chord is the same.
@@ -53,13 +68,11 @@ Handles catmullRomHandles(const SplineCurve& curve, std::span<const Vector> chor
         const bool isLast = i == chords.size();
         const std::size_t arriving = isFirst ? 0 : (i + chords.size() - 1) % chords.size();
         const std::size_t leaving = isLast ? arriving : i;
-        const double stepBefore = std::sqrt(length(chords[arriving]));
-        const double stepAfter = std::sqrt(length(chords[leaving]));
-        const Vector tangent = centripetalTangent(chords[arriving], chords[leaving], stepBefore, stepAfter);
+        const Vector tangent = centripetalTangent(steps[arriving], steps[leaving]);
         if (!isFirst)
-            handles[arriving].in = storedIn(curve.knots[i]).value_or(-(tangent * stepBefore) / 3);
+            handles[arriving].in = storedIn(curve.knots[i]).value_or(-(tangent * steps[arriving].step) / 3);
         if (!isLast)
-            handles[leaving].out = storedOut(curve.knots[i]).value_or(tangent * stepAfter / 3);
+            handles[leaving].out = storedOut(curve.knots[i]).value_or(tangent * steps[leaving].step / 3);
     }
     return handles;
 }

@@ -42,8 +42,8 @@ std::vector<Result> results(const SplineCurve& curve) {
     return rows;
 }
 
-Points powerCoefficients(std::span<const Point> segment) {
-    Points coefficients{segment.front()};
+std::vector<Vector> powerCoefficients(std::span<const Point> segment) {
+    std::vector<Vector> coefficients{segment.front() - Point{}};
     std::vector<Vector> differences;
     for (const Point p : segment)
         differences.push_back(p - segment.front());
@@ -53,7 +53,7 @@ Points powerCoefficients(std::span<const Point> segment) {
         for (std::size_t i = 0; i < left; ++i)
             differences[i] = differences[i + 1] - differences[i];
         binomial *= static_cast<double>(left) / static_cast<double>(k);
-        coefficients.push_back(Point{} + binomial * differences[0]);
+        coefficients.push_back(binomial * differences[0]);
     }
     return coefficients;
 }

@@ -16,7 +16,7 @@ void reportCurve(JsonWriter& json, const SplineCurve& curve);
 [[nodiscard]] std::vector<Result> results(const SplineCurve& curve);
 
 /// The coefficients B_0..B_n of a segment in the powers of its own t, 0 to 1: B_k = C(n, k) times the k-th forward
-/// difference of the control points. As points, for they are pairs of numbers.
-[[nodiscard]] Points powerCoefficients(std::span<const Point> segment);
+/// difference of the control points.
+[[nodiscard]] std::vector<Vector> powerCoefficients(std::span<const Point> segment);
 
 } // namespace kriva

@@ -37,7 +37,7 @@ std::vector<Result> results(const SubdivisionCurve& curve) {
                              {Caption::length, "", arcLength(subdivision.polygon)},
                              {Caption::bounds, "", tightBounds(subdivision.polygon)},
                              {Caption::pointAtT, "", pointAtT(subdivision)},
-                             {Caption::derivativeAtT, "", Point{subdivision.derivative.x, subdivision.derivative.y}},
+                             {Caption::derivativeAtT, "", subdivision.derivative},
                              {Caption::leftPolygon, "", subdivision.halves.left},
                              {Caption::rightPolygon, "", subdivision.halves.right},
                              {Caption::pieceCount, "", 1 << curve.levels}};

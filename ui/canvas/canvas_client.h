@@ -42,6 +42,8 @@ class CanvasClient {
 
     virtual void select(Selection selection) = 0;
     virtual void activateCurve(Serial curve) = 0;
+    /// A click on a mark, with the edit tool.
+    virtual void explain(const MarkPlace& mark) = 0;
 
     // One of the begins, then any number of drag, then endDrag or cancelDrag.
 

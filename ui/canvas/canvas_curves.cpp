@@ -96,7 +96,8 @@ std::vector<HitTarget> CanvasCurves::targets() const {
     std::vector<HitTarget> found;
     found.reserve(entries_.size());
     for (const Entry& entry : entries_)
-        found.push_back({entry.serial, entry.isActive, entry.grips, entry.item->curveLines()});
+        found.push_back(
+            {entry.serial, entry.isActive, entry.grips, entry.item->curveLines(), entry.item->figure().layers});
     return found;
 }
 

@@ -14,10 +14,10 @@ namespace {
 // Grips whose distances differ by less than this are in one place for the eye and the hand.
 constexpr double kSamePlace = 0.5;
 
-/// In pixels; infinite where it is beyond kGripReach, which is told without a root.
-[[nodiscard]] double distanceWithinReach(QPointF pixel, Point p, const Viewport& viewport) {
+/// In pixels; infinite where it is beyond the reach, which is told without a root.
+[[nodiscard]] double distanceWithin(double reach, QPointF pixel, Point p, const Viewport& viewport) {
     const QPointF way = viewport.toPixels(p) - pixel;
-    if (std::abs(way.x()) > kGripReach || std::abs(way.y()) > kGripReach)
+    if (std::abs(way.x()) > reach || std::abs(way.y()) > reach)
         return std::numeric_limits<double>::infinity();
     return std::hypot(way.x(), way.y());
 }
@@ -26,7 +26,7 @@ constexpr double kSamePlace = 0.5;
     double nearest = kGripReach;
     for (const HitTarget& target : targets)
         for (const Grip& grip : target.grips)
-            nearest = std::min(nearest, distanceWithinReach(pixel, grip.at, viewport));
+            nearest = std::min(nearest, distanceWithin(kGripReach, pixel, grip.at, viewport));
     return nearest;
 }
 
@@ -38,7 +38,7 @@ constexpr double kSamePlace = 0.5;
     Preference bestPreference;
     for (const HitTarget& target : targets) {
         for (const Grip& grip : target.grips) {
-            const double away = distanceWithinReach(pixel, grip.at, viewport);
+            const double away = distanceWithin(kGripReach, pixel, grip.at, viewport);
             if (away > reach)
                 continue;
             const GripRef candidate{target.serial, grip.id};
@@ -76,12 +76,32 @@ constexpr double kSamePlace = 0.5;
     return best;
 }
 
+[[nodiscard]] std::optional<MarkPlace> markAt(QPointF pixel, std::span<const HitTarget> targets,
+                                              const Viewport& viewport) {
+    std::optional<MarkPlace> best;
+    double nearest = kCurveReach;
+    for (const HitTarget& target : targets) {
+        for (const Layer& layer : target.layers) {
+            for (const Marks& marks : layer.marks) {
+                for (const Point at : marks.at) {
+                    const double away = distanceWithin(kCurveReach, pixel, at, viewport);
+                    if (away > nearest)
+                        continue;
+                    best = {marks.role, at};
+                    nearest = away;
+                }
+            }
+        }
+    }
+    return best;
+}
+
 } // namespace
 
 Hit hitAt(QPointF pixel, std::span<const HitTarget> targets, const Viewport& viewport, const Selection& selection) {
     if (const auto grip = gripAt(pixel, targets, viewport, selection))
         return {grip, std::nullopt};
-    return {std::nullopt, curveAt(pixel, targets)};
+    return {std::nullopt, curveAt(pixel, targets), markAt(pixel, targets, viewport)};
 }
 
 Selection pointsIn(const QRectF& rectangle, std::span<const HitTarget> targets, const Viewport& viewport) {

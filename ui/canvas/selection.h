@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/document/editing/grip.h"
+#include "core/figure/figure.h"
 #include "ui/document/serial.h"
 
 #include <optional>
@@ -26,10 +27,18 @@ using Selection = std::set<GripRef>;
     return selection;
 }
 
-/// What lies under a pixel: a grip, else a curve, else nothing.
+/// A mark that cannot be taken hold of: a point that was worked out from others.
+struct MarkPlace {
+    Role role = Role::point;
+    Point at;
+    friend bool operator==(const MarkPlace&, const MarkPlace&) = default;
+};
+
+/// What lies under a pixel: a grip, else a curve or a mark or both, else nothing.
 struct Hit {
     std::optional<GripRef> grip;
     std::optional<Serial> curve;
+    std::optional<MarkPlace> mark = {};
     friend bool operator==(const Hit&, const Hit&) = default;
 };
 

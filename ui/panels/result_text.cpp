@@ -29,13 +29,15 @@ struct ValueText {
     [[nodiscard]] QString operator()(Caption caption) const { return captionText(caption); }
     // A semicolon keeps numbers apart in languages that write a decimal comma.
     [[nodiscard]] QString operator()(Point p) const { return list(std::vector{p.x, p.y}); }
+    [[nodiscard]] QString operator()(Vector v) const { return list(std::vector{v.x, v.y}); }
     [[nodiscard]] QString operator()(const Box& box) const {
         return QStringLiteral("%1 – %2").arg((*this)(Point{box.xmin, box.ymin}), (*this)(Point{box.xmax, box.ymax}));
     }
-    [[nodiscard]] QString operator()(const Points& points) const {
+    template <class Pair>
+    [[nodiscard]] QString operator()(const std::vector<Pair>& pairs) const {
         QStringList texts;
-        for (const Point p : points)
-            texts.append((*this)(p));
+        for (const Pair pair : pairs)
+            texts.append((*this)(pair));
         return texts.join(QLatin1Char(' '));
     }
     [[nodiscard]] QString operator()(const std::vector<double>& numbers) const { return list(numbers); }

@@ -14,6 +14,9 @@ namespace kriva::ui {
 /// Any value likewise.
 [[nodiscard]] QString valueText(const Result::Value& value, int digits);
 
+/// Significant digits of a deviation: how large it is, not what it is.
+inline constexpr int kDeviationDigits = 4;
+
 /// A letter with its index: "b₃", "bᵢ₋₁"; "b_m" where there is no such index in Unicode.
 [[nodiscard]] QString indexed(const QString& letter, const QString& index);
 

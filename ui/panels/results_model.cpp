@@ -10,12 +10,6 @@ namespace {
 
 enum Column { nameColumn, valueColumn, columns };
 
-/// Unlike derivatives and coefficients.
-[[nodiscard]] bool isPlace(Caption caption) {
-    return caption == Caption::crossing || caption == Caption::pointAtT || caption == Caption::leftPolygon ||
-           caption == Caption::rightPolygon || caption == Caption::blossom;
-}
-
 constexpr int kShownDigits = 10;
 constexpr int kFullDigits = 17;
 
@@ -67,7 +61,7 @@ void ResultsModel::retranslate() {
 
 Points ResultsModel::places(int row) const {
     const Result& result = results_[static_cast<std::size_t>(row)];
-    if (!result.value || !isPlace(result.caption))
+    if (!result.value)
         return {};
     if (const Point* place = std::get_if<Point>(&*result.value))
         return {*place};

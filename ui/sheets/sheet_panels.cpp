@@ -129,15 +129,28 @@ void SheetPanels::reset() {
 }
 
 void SheetPanels::show(const char* name) {
+    bringToFront(name)->widget()->setFocus();
+}
+
+QDockWidget* SheetPanels::bringToFront(const char* name) {
     make();
     QDockWidget* dock = dockOf(name);
     dock->show();
     dock->raise();
-    dock->widget()->setFocus();
+    return dock;
 }
 
 QDockWidget* SheetPanels::dockOf(const char* name) const {
     return tab_.findChild<QDockWidget*>(QString::fromLatin1(name));
+}
+
+bool SheetPanels::canExplain(const MarkPlace& mark) const {
+    return std::ranges::find(ui_.explained, mark.role) != ui_.explained.end();
+}
+
+void SheetPanels::explain(const MarkPlace& mark) {
+    if (canExplain(mark))
+        static_cast<TablesPanel*>(bringToFront("tables")->widget())->explain(mark.at);
 }
 
 void SheetPanels::beginRenaming() {

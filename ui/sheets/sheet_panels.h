@@ -30,6 +30,10 @@ class SheetPanels {
     void reset();
     /// Brings a panel to the front and gives it the focus; `name` is that of its dock.
     void show(const char* name);
+    /// Whether the tables work out points that are marked so.
+    [[nodiscard]] bool canExplain(const MarkPlace& mark) const;
+    /// Brings the tables to the front and chooses the mark's point there; nothing happens where they cannot have it.
+    void explain(const MarkPlace& mark);
     /// Lets the name of the active curve be typed in the panel of curves, which comes into sight.
     void beginRenaming();
     /// The same with the guide, and gives it room to be read.
@@ -53,6 +57,7 @@ class SheetPanels {
     [[nodiscard]] QWidget* plots() const;
     [[nodiscard]] QWidget* guide();
     [[nodiscard]] QDockWidget* dockOf(const char* name) const;
+    QDockWidget* bringToFront(const char* name);
     /// One below what the area has; they lie behind the first of them.
     void add(Qt::DockWidgetArea area, std::initializer_list<NewPanel> group);
 

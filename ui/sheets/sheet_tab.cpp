@@ -123,6 +123,10 @@ void SheetTab::activateCurve(Serial curve) {
     editor_.document().setActiveCurve(editor_.index(), curve);
 }
 
+void SheetTab::explain(const MarkPlace& mark) {
+    panels_.explain(mark);
+}
+
 void SheetTab::beginDrag(GripRef grip) {
     activateCurve(grip.serial);
     mayShiftSwitch_ = false;
@@ -167,7 +171,7 @@ void SheetTab::hover(const Hit& under, Point at, Qt::KeyboardModifiers modifiers
     const bool wouldAdd = isSnapping_ && now.tool == Tool::add && !under.curve;
     canvas_->showSnap(wouldAdd ? canvas_->snapOf({.at = at}) : std::nullopt);
     canvas_->setGhost(ghostFor(editor_, now));
-    Q_EMIT hintChanged(hintFor(editor_, now));
+    Q_EMIT hintChanged(hintFor(editor_, now, under.mark && panels_.canExplain(*under.mark)));
 }
 
 } // namespace kriva::ui

@@ -54,6 +54,7 @@ class SheetTab : public QMainWindow, private CanvasClient {
     void retractHandle(GripRef handle) override;
     void select(Selection selection) override;
     void activateCurve(Serial curve) override;
+    void explain(const MarkPlace& mark) override;
     void beginDrag(GripRef grip) override;
     void beginAddDrag(Point at) override;
     void beginInsertDrag(Serial curve, Point at) override;

@@ -49,6 +49,7 @@ struct SheetUi {
     std::vector<SheetAction> actions; ///< by groups
     PlotsPanel::Plots plots;
     TablesPanel::Tables tables;
+    std::vector<Role> explained = {}; ///< of marks that stand in the tables
 };
 
 } // namespace kriva::ui

@@ -27,7 +27,7 @@ Table coefficientsTable(const SplineCurve& curve) {
     for (const Points& segment : segmentsOf(curve)) {
         std::vector<TableCell>& row = table.rows.emplace_back();
         row.push_back({static_cast<int>(table.rows.size()) - 1});
-        for (const Point coefficient : powerCoefficients(segment))
+        for (const Vector coefficient : powerCoefficients(segment))
             row.push_back({coefficient});
     }
     return table;

@@ -22,6 +22,11 @@ class TablesPanelTest : public test::PanelTest {
     [[nodiscard]] QString textAt(int row, int column) {
         return panel_.findChild<QTableView*>()->model()->index(row, column).data().toString();
     }
+    [[nodiscard]] QPoint pixelOf(Point place) { return tab.canvas().mapping().toPixels(place).toPoint(); }
+    void clickCanvas(Point place) {
+        QTest::mouseClick(tab.canvas().viewport(), Qt::LeftButton, {}, pixelOf(place));
+        test::settle();
+    }
     void choose(int table) { panel_.findChild<QComboBox*>()->setCurrentIndex(table); }
 
     TablesPanel& panel_ = panel<TablesPanel>("tables");
@@ -58,6 +63,23 @@ TEST_F(TablesPanelTest, showTheExampleOfTheSources) {
     EXPECT_EQ(textAt(0, 4), QStringLiteral("(3.5; 1.5)"));
     EXPECT_EQ(textAt(1, 2), QStringLiteral("(4; 2)"));
     EXPECT_EQ(textAt(1, 4), QString());
+}
+
+TEST_F(TablesPanelTest, chooseThePointOfTheConstructionThatIsClicked) {
+    SubdivisionCurve cubic;
+    cubic.points = {{0, 0}, {0, 2}, {8, 2}, {4, 0}};
+    cubic.multiplicity.assign(4, 1);
+    open({cubic});
+    static_cast<void>(panel<ResultsPanel>("results"));
+    clickCanvas({4, 2});
+    EXPECT_EQ(shown().caption, Caption::construction);
+    EXPECT_EQ(panel_.findChild<QTableView*>()->currentIndex().data().toString(), QStringLiteral("(4; 2)"));
+    choose(2);
+    clickCanvas({3.5, 1.5});
+    EXPECT_EQ(shown().caption, Caption::leftAndRight) << "the table on view has it too";
+    EXPECT_EQ(editor().pointedOut(), (Points{{3.5, 1.5}}));
+    clickCanvas({4, 2});
+    EXPECT_EQ(shown().caption, Caption::construction);
 }
 
 TEST_F(TablesPanelTest, areCopiedAsLatexAndForSpreadsheets) {
@@ -114,6 +136,20 @@ TEST_F(ElevationTablesTest, pointNothingOutBehindAnotherPanel) {
     EXPECT_EQ(editor().pointedOut(), Points());
     static_cast<void>(panel<TablesPanel>("tables"));
     EXPECT_EQ(editor().pointedOut(), (Points{{0, 2.25}}));
+}
+
+TEST_F(ElevationTablesTest, comeToTheFrontForAnElevatedPointThatIsClicked) {
+    static_cast<void>(panel<ResultsPanel>("results"));
+    QTest::mouseMove(tab.canvas().viewport(), pixelOf({0, 2.25}));
+    EXPECT_EQ(shell.window.findChild<QLabel*>(QStringLiteral("hint"))->text(),
+              QStringLiteral("Click: how this point is worked out, in Tables"));
+    clickCanvas({0, 2.25});
+    EXPECT_TRUE(panel_.isVisible());
+    EXPECT_EQ(sum(), QStringLiteral("b′₁ = 0.25 · (0; 0) + 0.75 · (0; 3) = (0; 2.25)"));
+    EXPECT_EQ(editor().pointedOut(), (Points{{0, 2.25}}));
+    clickCanvas({7.5, 2.25});
+    EXPECT_EQ(sum().left(3), QStringLiteral("b′₃"));
+    EXPECT_EQ(steps(), QStringList());
 }
 
 TEST_F(ElevationTablesTest, haveIndicesBelowTheLetters) {

@@ -149,13 +149,13 @@ TEST_F(ElevationPropertiesTest, keysPlayAndStep) {
 TEST_F(ElevationPropertiesTest, theElevatedPolygonOnViewIsTakenOver) {
     QPushButton& take = buttonSaying("Make this the control polygon");
     click(take);
-    expectOneStep("Take the elevated polygon over", before, *withElevatedPolygon(before));
+    expectOneStep("Take the elevated polygon over", before, withElevatedPolygon(before));
     player.tick(); // the next stage
     const auto stage = std::get<ElevationCurve>(*editor().shown(editor().activeSerial()));
     ASSERT_NE(stage.times, before.times);
     click(take);
     EXPECT_FALSE(editor().hasStage());
-    expectOneStep("Take the elevated polygon over", before, *withElevatedPolygon(stage));
+    expectOneStep("Take the elevated polygon over", before, withElevatedPolygon(stage));
     type(field, "3");
     EXPECT_FALSE(take.isEnabled()) << "nothing is elevated";
 }

@@ -24,6 +24,7 @@ class NoClient : public CanvasClient {
     void retractHandle(GripRef) override {}
     void select(Selection) override {}
     void activateCurve(Serial) override {}
+    void explain(const MarkPlace&) override {}
     void beginDrag(GripRef) override {}
     void beginAddDrag(Point) override {}
     void beginInsertDrag(Serial, Point) override {}

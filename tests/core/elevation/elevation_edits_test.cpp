@@ -58,17 +58,16 @@ TEST(ElevationEdits, countThePointsOfTheElevatedPolygon) {
 }
 
 TEST(ElevationEdits, theElevatedPolygonBecomesTheControlPolygon) {
-    const std::optional<ElevationCurve> taken = withElevatedPolygon(example());
-    ASSERT_TRUE(taken);
-    EXPECT_EQ(taken->points, elevated(example().points, 4));
-    EXPECT_EQ(taken->times, 0);
-    EXPECT_EQ(taken->name, "arch");
-    EXPECT_FALSE(withElevatedPolygon(*taken)) << "it is not elevated";
+    const ElevationCurve taken = withElevatedPolygon(example());
+    EXPECT_EQ(taken.points, elevated(example().points, 4));
+    EXPECT_EQ(taken.times, 0);
+    EXPECT_EQ(taken.name, "arch");
+    EXPECT_FALSE(canTakeElevatedPolygon(taken)) << "it is not elevated";
     ElevationCurve large = example();
     large.times = static_cast<int>(limits::kControlPoints) - 3;
-    EXPECT_TRUE(withElevatedPolygon(large));
+    EXPECT_TRUE(canTakeElevatedPolygon(large));
     ++large.times;
-    EXPECT_FALSE(withElevatedPolygon(large)) << "too many points";
+    EXPECT_FALSE(canTakeElevatedPolygon(large)) << "too many points";
 }
 
 TEST(ElevationEdits, oneDegreeLessUndoesAnElevation) {

@@ -121,7 +121,7 @@ TEST(SplineResults, addUpToTheWholeLength) {
 RC_GTEST_PROP(PowerCoefficients, areThoseOfTheSameCurve, ()) {
     const Points segment = *test::anyCurve(2, 5);
     const double t = *test::anyParameter();
-    const Points b = powerCoefficients(segment);
+    const std::vector<Vector> b = powerCoefficients(segment);
     Point value{};
     for (std::size_t k = b.size(); k-- > 0;)
         value = {value.x * t + b[k].x, value.y * t + b[k].y};

@@ -31,6 +31,7 @@ class RecordingClient : public CanvasClient {
         view->setSelection(std::move(selection));
     }
     void activateCurve(Serial curve) override { note(QStringLiteral("activate %1").arg(curve)); }
+    void explain(const MarkPlace& mark) override { note(QStringLiteral("explain ") + text(mark.at)); }
     void beginDrag(GripRef grip) override { note(QStringLiteral("begin ") + text(grip)); }
     void beginAddDrag(Point at) override { note(QStringLiteral("begin adding ") + text(at)); }
     void beginInsertDrag(Serial curve, Point at) override {

@@ -20,6 +20,7 @@ struct Curve {
     Points points;
     std::vector<Grip> grips;
     std::vector<QPolygonF> lines;
+    std::vector<Layer> layers;
     Points pixels; ///< of the curve, close to each other
 };
 
@@ -38,13 +39,17 @@ class HitTest : public ::testing::Test {
             }
             for (int k = 0; k <= 2'000; ++k)
                 curve.pixels.push_back(toCore(viewport.toPixels(evaluate(curve.points, k / 2e3))));
+            Marks marks{{}, Role::derivedPolygon};
+            for (int k = 0; k < 4; ++k)
+                marks.at.push_back(viewport.toDocument(anyPixel()));
+            curve.layers = {{"elevated-polygon", {}, {marks}}};
             FrameLoad load;
             curve.lines = visiblePolylines(singleCurve(curve.points), viewport, 0, {}, load);
             curves.push_back(std::move(curve));
         }
         targets.clear();
         for (const Curve& curve : curves)
-            targets.push_back({targets.size() + 1, targets.empty(), curve.grips, curve.lines});
+            targets.push_back({targets.size() + 1, targets.empty(), curve.grips, curve.lines, curve.layers});
     }
     QPointF anyPixel() {
         return {std::uniform_real_distribution(0.0, 900.0)(random), std::uniform_real_distribution(0.0, 700.0)(random)};
@@ -73,6 +78,13 @@ class HitTest : public ::testing::Test {
                 hit.curve = targets[i].serial;
             }
         }
+        nearest = 6;
+        for (const Curve& curve : curves)
+            for (const Point at : curve.layers[0].marks[0].at)
+                if (distanceTo(at, pixel) <= nearest) {
+                    nearest = distanceTo(at, pixel);
+                    hit.mark = {Role::derivedPolygon, at};
+                }
         return hit;
     }
     static double distanceToCurve(QPointF pixel, const Curve& curve) {
@@ -105,20 +117,26 @@ TEST_F(HitTest, agreesWithBruteForceOnAThousandPicksAtEveryZoom) {
         makeScene(zoom, 7);
         int hits = 0;
         int closeCalls = 0;
+        int marks = 0;
         for (int i = 0; i < 1'000; ++i) {
-            // Half of the picks are near a grip, where most is to be decided.
+            // Half of the picks are near a grip or a mark, where most is to be decided.
             const Point p = curves[static_cast<std::size_t>(i) % curves.size()].points[static_cast<std::size_t>(i) % 4];
+            const Point mark = curves[static_cast<std::size_t>(i) % curves.size()].layers[0].marks[0].at[0];
             const QPointF pixel =
-                i % 2 == 0 ? anyPixel() : viewport.toPixels(p) + (anyPixel() - QPointF(450, 350)) / 40;
+                i % 2 == 0 ? anyPixel()
+                           : viewport.toPixels(i % 4 == 1 ? p : mark) + (anyPixel() - QPointF(450, 350)) / 40;
             const Hit found = hitAt(pixel, targets, viewport, {});
             const Hit expected = bruteForce(pixel);
             hits += expected != Hit();
+            marks += expected.mark.has_value();
             if (found == expected)
                 continue;
+            EXPECT_EQ(found.mark, expected.mark) << "zoom " << zoom << ", pick " << i;
             ++closeCalls;
             EXPECT_TRUE(isCloseCall(pixel, found, expected)) << "zoom " << zoom << ", pick " << i;
         }
-        EXPECT_GT(hits, 400);
+        EXPECT_GT(hits, 350);
+        EXPECT_GT(marks, 50);
         EXPECT_LT(closeCalls, 20);
     }
 }

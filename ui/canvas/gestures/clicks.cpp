@@ -37,10 +37,13 @@ void clickWithEditTool(const Press& press, const Selection& selection, CanvasCli
         else
             client.select(selection.contains(*press.under.grip) ? without(selection, clicked)
                                                                 : united(selection, clicked));
-    } else if (press.under.curve) {
-        client.activateCurve(*press.under.curve);
-    } else if (!isToggling && !selection.empty()) {
-        client.select({});
+    } else {
+        if (press.under.curve)
+            client.activateCurve(*press.under.curve);
+        else if (!isToggling && !selection.empty())
+            client.select({});
+        if (press.under.mark)
+            client.explain(*press.under.mark);
     }
 }
 

@@ -87,6 +87,32 @@ void TablesPanel::take(std::vector<Table> tables) {
     tables_ = std::move(tables);
     showNames();
     showTable();
+    chooseAsked();
+    asked_.reset();
+}
+
+void TablesPanel::explain(Point point) {
+    asked_ = point;
+    chooseAsked();
+}
+
+void TablesPanel::chooseAsked() {
+    const auto onView = static_cast<std::size_t>(choice_->currentIndex());
+    if (!asked_ || (onView < tables_.size() && chooseIn(onView, *asked_)))
+        return;
+    for (std::size_t table = 0; table < tables_.size(); ++table)
+        if (chooseIn(table, *asked_))
+            return;
+}
+
+bool TablesPanel::chooseIn(std::size_t table, Point point) {
+    const std::optional<CellIndex> cell = cellOf(tables_[table], point);
+    if (!cell)
+        return false;
+    asked_.reset();
+    choice_->setCurrentIndex(static_cast<int>(table));
+    view_->setCurrentIndex(model_.index(static_cast<int>(cell->row), static_cast<int>(cell->column)));
+    return true;
 }
 
 void TablesPanel::showNames() {

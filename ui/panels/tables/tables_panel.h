@@ -22,6 +22,9 @@ class TablesPanel : public QWidget, public WatchedPanel {
 
     TablesPanel(ShownSheet& sheet, Tables tables, QWidget* parent = nullptr);
     void setWatched(bool isWatched) override;
+    /// Chooses the cell where this point of the figure stands, as soon as the tables are those of what is on view;
+    /// nothing happens where it stands in none of them.
+    void explain(Point point);
 
   protected:
     void changeEvent(QEvent* event) override;
@@ -31,6 +34,8 @@ class TablesPanel : public QWidget, public WatchedPanel {
     void take(std::vector<Table> tables);
     void showNames();
     void showTable();
+    void chooseAsked();
+    bool chooseIn(std::size_t table, Point point);
     /// What belongs to the cells that are chosen.
     void followChoice();
     [[nodiscard]] Points chosenPlaces() const;
@@ -38,6 +43,7 @@ class TablesPanel : public QWidget, public WatchedPanel {
     void copyDelimited() const;
 
     std::vector<Table> tables_;
+    std::optional<Point> asked_; ///< to explain
     TableModel model_;
     KeptChoice* choice_;
     QTableView* view_;

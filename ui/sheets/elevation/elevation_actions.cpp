@@ -6,25 +6,18 @@
 #include <QCoreApplication>
 
 namespace kriva::ui {
-namespace {
-
-std::optional<ElevationCurve> takenPolygon(const SheetEditor& editor) {
-    const Curve* onView = editor.shown(editor.activeSerial());
-    return onView ? withElevatedPolygon(std::get<ElevationCurve>(*onView)) : std::nullopt;
-}
-
-} // namespace
 
 void takeElevatedPolygon(SheetEditor& editor) {
-    std::optional<ElevationCurve> taken = takenPolygon(editor);
-    if (!taken)
+    if (!canTakeElevatedPolygon(editor))
         return;
+    Curve taken = withElevatedPolygon(std::get<ElevationCurve>(*editor.shown(editor.activeSerial())));
     editor.setStage({});
-    editor.change(std::move(*taken), {QT_TRANSLATE_NOOP("Step", "Take the elevated polygon over")});
+    editor.change(std::move(taken), {QT_TRANSLATE_NOOP("Step", "Take the elevated polygon over")});
 }
 
 bool canTakeElevatedPolygon(const SheetEditor& editor) {
-    return takenPolygon(editor).has_value();
+    const Curve* onView = editor.shown(editor.activeSerial());
+    return onView && canTakeElevatedPolygon(std::get<ElevationCurve>(*onView));
 }
 
 void reduceDegree(SheetEditor& editor) {

@@ -13,8 +13,6 @@ namespace {
 /// As far as one looks at first: the 97 elevations after which the polygon of a cubic can hardly be told from it.
 constexpr int kUsualElevations = 97;
 
-constexpr int kDigits = 4; // of a deviation: how large it is, not what it is
-
 /// The largest number of elevations that the slider and the player run through.
 int shownElevations(const ElevationCurve& curve) {
     return std::max(kUsualElevations, curve.times);
@@ -73,8 +71,9 @@ void ElevationProperties::showCurve() {
 void ElevationProperties::showReduction() {
     const std::optional<Refitted<ElevationCurve>> reduced = withDegreeReduced(curve<ElevationCurve>());
     reduce_->setEnabled(reduced.has_value());
-    deviation_->setText(reduced ? tr("The curve then moves by at most %1").arg(valueText(*reduced->deviation, kDigits))
-                                : tr("The degree cannot fall any more"));
+    deviation_->setText(
+        reduced ? tr("The curve then moves by at most %1").arg(valueText(*reduced->deviation, kDeviationDigits))
+                : tr("The degree cannot fall any more"));
 }
 
 void ElevationProperties::showStage(int times) {

@@ -35,7 +35,8 @@ SheetUi elevationUi() {
             timesNumber(),
             elevationActions(),
             [](const Curve& curve) { return plotsOf(std::get<ElevationCurve>(curve)); },
-            [](const Curve& curve) { return tablesOf(std::get<ElevationCurve>(curve)); }};
+            [](const Curve& curve) { return tablesOf(std::get<ElevationCurve>(curve)); },
+            {Role::derivedPolygon}};
 }
 
 } // namespace kriva::ui

@@ -46,6 +46,7 @@ class Hints {
             return tr("Click: insert a point   Drag: place it   Esc: end");
         return tr("Drag: mould the curve   Double-click: insert a point");
     }
+    static QString overMark() { return tr("Click: how this point is worked out, in Tables"); }
     static QString overNothing(const HintSituation& now) {
         if (now.modifiers == Qt::AltModifier)
             return tr("Alt+click: add a point   Alt+drag: deselect points");
@@ -76,6 +77,8 @@ class Hints {
 } // namespace
 
 QString hintText(const HintSituation& situation) {
+    if (!situation.under.grip && situation.explains)
+        return Hints::overMark();
     if (!situation.under.grip)
         return situation.under.curve ? Hints::overCurve(situation) : Hints::overNothing(situation);
     switch (situation.under.grip->id.kind) {

@@ -11,6 +11,7 @@ struct HintSituation {
     Tool tool = Tool::edit;
     bool pullsHandles = false; ///< a new point has handles
     bool closes = false;       ///< the point under the pointer closes the curve
+    bool explains = false;     ///< the tables tell how the mark under the pointer is worked out
 };
 
 /// What a person can do next.

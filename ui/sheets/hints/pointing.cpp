@@ -23,13 +23,14 @@ std::optional<Point> ghostFor(const SheetEditor& editor, const Pointing& now) {
     return inserted ? std::optional(pointAt(inserted->curve, newPointNear(*inserted, now.at))) : std::nullopt;
 }
 
-QString hintFor(const SheetEditor& editor, const Pointing& now) {
+QString hintFor(const SheetEditor& editor, const Pointing& now, bool canExplain) {
     const Curve* active = editor.activeCurve();
     return hintText({.under = now.under,
                      .modifiers = now.modifiers,
                      .tool = now.tool,
                      .pullsHandles = hasHandles(active ? *active : emptyCurve(editor.index())),
-                     .closes = now.tool == Tool::add && closesCurve(editor, now.under)});
+                     .closes = now.tool == Tool::add && closesCurve(editor, now.under),
+                     .explains = canExplain && now.tool == Tool::edit && now.modifiers == Qt::NoModifier});
 }
 
 } // namespace kriva::ui

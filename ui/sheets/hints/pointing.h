@@ -16,7 +16,7 @@ struct Pointing {
 /// Where a point would come if it were inserted now; nothing where a click would insert none.
 [[nodiscard]] std::optional<Point> ghostFor(const SheetEditor& editor, const Pointing& now);
 
-/// What a person can do next.
-[[nodiscard]] QString hintFor(const SheetEditor& editor, const Pointing& now);
+/// What a person can do next; a click on the mark under the pointer may explain it.
+[[nodiscard]] QString hintFor(const SheetEditor& editor, const Pointing& now, bool canExplain);
 
 } // namespace kriva::ui

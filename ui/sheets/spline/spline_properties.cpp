@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kStepOfComb = 0.1;
 constexpr int kUsualPolylinePoints = 32; // more can hardly be told from the curve
-constexpr int kDigits = 4;               // of a deviation: how large it is, not what it is
 constexpr double kUsualCombs = 5;        // times the automatic scale: longer teeth leave the canvas
 
 const SplineCurve& valueOf(const Curve& curve) {
@@ -95,7 +94,7 @@ LatestWork::Work SplineProperties::comparison() {
     return [this, points, value = curve ? std::get<SplineCurve>(*curve) : SplineCurve()]() -> LatestWork::Take {
         return [this, deviation = deviationFromBuiltIn(value, points)] {
             if (showsPolyline_->isChecked())
-                deviation_->setText(valueText(deviation, kDigits));
+                deviation_->setText(valueText(deviation, kDeviationDigits));
         };
     };
 }

@@ -51,7 +51,8 @@ SheetUi subdivisionUi() {
             levelsNumber(),
             subdivisionActions(),
             [](const Curve& curve) { return plotsOf(std::get<SubdivisionCurve>(curve)); },
-            [](const Curve& curve) { return tablesOf(std::get<SubdivisionCurve>(curve)); }};
+            [](const Curve& curve) { return tablesOf(std::get<SubdivisionCurve>(curve)); },
+            {Role::construction, Role::left, Role::right, Role::curvePoint}};
 }
 
 } // namespace kriva::ui

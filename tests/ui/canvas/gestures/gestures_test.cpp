@@ -21,6 +21,18 @@ TEST_F(Gesture, aClickSelectsWhatItHits) {
     EXPECT_EQ(wishes(), QStringList()) << "nothing was selected";
 }
 
+TEST_F(Gesture, aClickOnAMarkAsksForAnExplanation) {
+    CanvasCurve curve = parabola();
+    curve.figure.layers.push_back({"construction", {}, {{{{0, -40}, {50, 37}}, Role::construction}}});
+    view.setCurves({curve});
+    click({3, -42});
+    EXPECT_EQ(wishes(), list({"explain 0,-40"}));
+    click({50, 37});
+    EXPECT_EQ(wishes(), list({"activate 1", "explain 50,37"})) << "the mark lies on the curve";
+    drag({0, -40}, {40, -80});
+    EXPECT_EQ(wishes(), list({"select"})) << "a rubber band around nothing";
+}
+
 TEST_F(Gesture, shiftAndAClickToggle) {
     click({0, 100});
     click({100, 0}, Qt::ShiftModifier);
