@@ -88,14 +88,11 @@ class PolylineBuilder {
             current_.append(toQt(from));
             keep(from);
         }
-        double away = std::sqrt(squared(to - kept_));
-        if (hasCandidate() && (away < reach_ - sleeve_ || (away >= spacing_ && !isInCone(to - kept_)))) {
+        if (hasCandidate() && (goesBack(to - kept_) || (isApart(to - kept_) && !isInCone(to - kept_))))
             append(*end_);
-            away = std::sqrt(squared(to - kept_));
-        }
         end_ = to;
-        if (away >= spacing_)
-            narrowCone(to - kept_, away);
+        if (isApart(to - kept_))
+            narrowCone(to - kept_);
     }
     std::vector<QPolygonF> finished() {
         finishPolyline();
@@ -117,9 +114,16 @@ class PolylineBuilder {
         reach_ = 0;
     }
     [[nodiscard]] bool hasCandidate() const { return reach_ > 0; }
+    // Without roots: most points are close to the one before.
+    [[nodiscard]] bool isApart(Vector way) const { return squared(way) >= spacing_ * spacing_; }
+    [[nodiscard]] bool goesBack(Vector way) const {
+        const double least = reach_ - sleeve_;
+        return least > 0 && squared(way) < least * least;
+    }
     /// The directions from the kept point that pass all points since then within the sleeve.
     [[nodiscard]] bool isInCone(Vector way) const { return cross(right_, way) >= 0 && cross(way, left_) >= 0; }
-    void narrowCone(Vector way, double away) {
+    void narrowCone(Vector way) {
+        const double away = std::sqrt(squared(way));
         const Vector aside = sleeve_ / away * Vector{-way.y, way.x};
         if (!hasCandidate() || cross(way + aside, left_) > 0)
             left_ = way + aside;
@@ -160,6 +164,8 @@ class Flattener {
         , builder_(fineness, penWidth, load) {}
 
     void addPiece(std::span<const Point> piece) {
+        if (piece.size() == 2)
+            return addChord(piece.front(), piece.back());
         // Pieces on the stack are halved on top of it: it must not move.
         stack_.reserve(2 * piece.size() * kMostHalvings);
         add(piece, 0);
@@ -220,7 +226,9 @@ std::vector<QPolygonF> visiblePolylines(const Path& path, const Viewport& viewpo
     const auto share = static_cast<std::size_t>(fineness.share);
     Points pixels;
     forEachPiece(path, [&](std::span<const Point> piece) {
-        if (load.pieces++ / kRun % share != 0 || load.isTooMuch())
+        const bool isOfShare = share == 1 || load.pieces / kRun % share == 0;
+        ++load.pieces;
+        if (!isOfShare || load.isTooMuch())
             return;
         pixels.clear();
         for (const Point p : piece)

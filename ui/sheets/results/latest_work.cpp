@@ -3,14 +3,23 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QPointer>
+#include <QThread>
 #include <QThreadPool>
 
+#include <algorithm>
 #include <utility>
 
 namespace kriva::ui {
 namespace {
 
 constexpr qint64 kHalfFrame = 8; ///< milliseconds: the other half is for drawing
+
+/// One core stays with the window, or a drag waits for results that are out of date already.
+[[nodiscard]] QThreadPool& workers() {
+    QThreadPool& pool = *QThreadPool::globalInstance();
+    pool.setMaxThreadCount(std::max(1, QThread::idealThreadCount() - 1));
+    return pool;
+}
 
 } // namespace
 
@@ -61,7 +70,7 @@ void LatestWork::doElsewhere(Work work) {
         };
         QMetaObject::invokeMethod(QCoreApplication::instance(), deliver);
     };
-    QThreadPool::globalInstance()->start(task);
+    workers().start(task);
 }
 
 void LatestWork::finish(const Take& take, qint64 milliseconds) {
