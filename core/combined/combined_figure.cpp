@@ -189,7 +189,8 @@ Figure figureOf(const CombinedCurve& curve, const FigureContext& context) {
     figure.layers.push_back({"points", {}, {{curve.points, Role::point}}});
     if (context.isActive)
         figure.layers.push_back(runNumbers(curve, combined));
-    figure.layers.push_back({"labels", {}, {}, indexedLabels("p", curve.points)});
+    if (curve.points.size() <= kMostLabelledPoints)
+        figure.layers.push_back({"labels", {}, {}, indexedLabels("p", curve.points)});
     return figure;
 }
 

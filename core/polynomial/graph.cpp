@@ -99,9 +99,10 @@ BernsteinPiece secondDerivative(const Part& part, double width) {
     return second;
 }
 
-/// The slope of the graph between two neighbouring coefficients of its whole.
-DoubleDouble slope(const Polynomial& polynomial, const BigFloat& left, const BigFloat& right, const BigFloat& span) {
-    return ((right - left) * polynomial.number(polynomial.degree()) / span).toDoubleDouble();
+/// The slope of the graph between two neighbouring coefficients of its whole; `perStep` is one over the way between
+/// them.
+DoubleDouble slope(const BigFloat& left, const BigFloat& right, const BigFloat& perStep) {
+    return ((right - left) * perStep).toDoubleDouble();
 }
 
 } // namespace
@@ -109,13 +110,14 @@ DoubleDouble slope(const Polynomial& polynomial, const BigFloat& left, const Big
 Graph graphOf(const Polynomial& polynomial, double from, double to) {
     Part whole{bernsteinCoefficients(polynomial, from, to)};
     const Coefficients& b = whole.coefficients;
-    const BigFloat span = polynomial.number(to) - polynomial.number(from);
+    // Divided by once: there is no dearer operation.
+    const BigFloat perStep = polynomial.number(polynomial.degree()) / (polynomial.number(to) - polynomial.number(from));
     Graph graph;
     graph.curve = controlPoints(whole, from, to);
     graph.startValue = b.front().toDoubleDouble();
     graph.endValue = b.back().toDoubleDouble();
-    graph.startSlope = slope(polynomial, b[0], b[1], span);
-    graph.endSlope = slope(polynomial, b[b.size() - 2], b.back(), span);
+    graph.startSlope = slope(b[0], b[1], perStep);
+    graph.endSlope = slope(b[b.size() - 2], b.back(), perStep);
     std::vector<Part> parts;
     cutWhereIllConditioned(std::move(whole), parts);
     std::vector<BernsteinPiece> second;

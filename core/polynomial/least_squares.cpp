@@ -11,10 +11,15 @@ namespace {
 using Column = std::vector<DoubleDouble>;
 
 DoubleDouble dot(const Column& a, const Column& b) {
-    DoubleDouble sum;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        sum = sum + a[i] * b[i];
-    return sum;
+    // Two sums: a single one waits for each of its additions.
+    DoubleDouble even;
+    DoubleDouble odd;
+    std::size_t i = 0;
+    for (; i + 1 < a.size(); i += 2) {
+        even = even + a[i] * b[i];
+        odd = odd + a[i + 1] * b[i + 1];
+    }
+    return i < a.size() ? even + odd + a[i] * b[i] : even + odd;
 }
 
 /// Takes away from a column its part along a unit column.
@@ -49,8 +54,9 @@ void orthonormalise(Column& column, const std::vector<Column>& basis) {
             removePart(column, unit);
         norm = sqrt(dot(column, column));
     } while (norm.high < kStrongCancellation * before);
+    const DoubleDouble scale = DoubleDouble(1) / norm;
     for (DoubleDouble& element : column)
-        element = element / norm;
+        element = element * scale;
 }
 
 /// Takes away from the values their part in the polynomials of the degree: what is left are the residuals.
@@ -103,28 +109,15 @@ double rootMeanSquare(const Column& values, double largest) {
     if (largest == 0)
         return 0;
     DoubleDouble sum;
-    for (const DoubleDouble& value : values)
-        sum = sum + (value / largest) * (value / largest);
+    for (const DoubleDouble& value : values) {
+        const DoubleDouble inUnits = value / largest;
+        sum = sum + inUnits * inUnits;
+    }
     return largest * sqrt(sum / static_cast<double>(values.size())).high;
 }
 
-} // namespace
-
-Fit fitThroughAll(std::span<const Point> points) {
-    std::vector<double> nodes;
-    std::vector<DoubleDouble> values;
-    for (const Point p : points) {
-        nodes.push_back(p.x);
-        values.emplace_back(p.y);
-    }
-    return {interpolate(nodes, values)};
-}
-
-Fit fitLeastSquares(std::span<const Point> points, int degree) {
-    assert(!points.empty() && degree >= 0);
-    if (points.size() <= static_cast<std::size_t>(degree) + 1)
-        return fitThroughAll(points);
-    clearVectorRegisters();
+/// For more points than coefficients.
+Fit approximated(std::span<const Point> points, int degree) {
     const Column places = mappedPlaces(points);
     Column residuals;
     residuals.reserve(points.size());
@@ -145,6 +138,38 @@ Fit fitLeastSquares(std::span<const Point> points, int degree) {
         fit.maxError = std::max(fit.maxError, std::abs(residual.high));
     fit.rms = rootMeanSquare(residuals, fit.maxError);
     return fit;
+}
+
+#ifdef __x86_64__
+/// The same to the last bit, with the processor's own fused multiply-add, which not every one has, in place of calls of
+/// the library's: in half the time.
+__attribute__((flatten, target("fma"))) Fit approximatedWithFma(std::span<const Point> points, int degree) {
+    return approximated(points, degree);
+}
+#endif
+
+} // namespace
+
+Fit fitThroughAll(std::span<const Point> points) {
+    std::vector<double> nodes;
+    std::vector<DoubleDouble> values;
+    for (const Point p : points) {
+        nodes.push_back(p.x);
+        values.emplace_back(p.y);
+    }
+    return {interpolate(nodes, values)};
+}
+
+Fit fitLeastSquares(std::span<const Point> points, int degree) {
+    assert(!points.empty() && degree >= 0);
+    if (points.size() <= static_cast<std::size_t>(degree) + 1)
+        return fitThroughAll(points);
+    clearVectorRegisters();
+#ifdef __x86_64__
+    if (__builtin_cpu_supports("fma"))
+        return approximatedWithFma(points, degree);
+#endif
+    return approximated(points, degree);
 }
 
 } // namespace kriva

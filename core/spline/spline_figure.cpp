@@ -28,9 +28,6 @@ constexpr std::array kLayers{
     LayerInfo{"labels", Caption::labels, true, true},
 };
 
-/// With more knots labels would cover each other and the curve, and take longer to lay out than everything else.
-constexpr std::size_t kMostLabelledKnots = 1000;
-
 Points knotPoints(const SplineCurve& curve) {
     Points points;
     points.reserve(curve.knots.size());
@@ -124,7 +121,7 @@ void addBeneath(Figure& figure, const SplineCurve& curve, const std::vector<Poin
 /// What is marked on the curve.
 void addOnTop(Figure& figure, const SplineCurve& curve, const FigureContext& context) {
     const bool hasInflections = isDrawn("inflections", kLayers, context);
-    const bool hasContinuity = isDrawn("continuity", kLayers, context) && curve.knots.size() <= kMostLabelledKnots;
+    const bool hasContinuity = isDrawn("continuity", kLayers, context) && curve.knots.size() <= kMostLabelledPoints;
     if (!hasInflections && !hasContinuity)
         return;
     const SplineChain solved = solveSpline(curve);
@@ -159,7 +156,7 @@ Figure figureOf(const SplineCurve& curve, const FigureContext& context) {
     figure.layers.push_back({"knots", {}, {{knotPoints(curve), Role::knot}}});
     if (!isIncomplete(curve))
         addOnTop(figure, curve, context);
-    if (context.isActive && curve.knots.size() <= kMostLabelledKnots)
+    if (context.isActive && curve.knots.size() <= kMostLabelledPoints)
         figure.layers.push_back(labelsLayer(curve, segments, handles));
     return figure;
 }
