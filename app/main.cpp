@@ -6,7 +6,10 @@
 #include <QApplication>
 #include <QHashSeed>
 
+#include <algorithm>
 #include <fontconfig/fontconfig.h>
+#include <memory>
+#include <string_view>
 #include <thread>
 
 namespace kriva::app {
@@ -29,16 +32,30 @@ struct Answer {
         printError(Program::seeHelp(error.sentence));
         return ExitCode::usage;
     }
-    ExitCode operator()(const ExportRequest& request) const { return exportFigure(request); }
+    ExitCode operator()(const ExportRequest& request) const { return exportFigures(request); }
     ExitCode operator()(const ReportRequest& request) const { return report(request); }
     std::optional<ExitCode> operator()(const EditorRequest&) const { return std::nullopt; }
 };
+
+constexpr const char* kPlatform = "QT_QPA_PLATFORM";
+
+/// Pictures need fonts, which come with a platform; the one without a display is always there.
+std::unique_ptr<QCoreApplication> applicationFor(int& argc, char** argv) {
+    const bool mayPaint = std::any_of(argv, argv + argc, [](std::string_view word) { return word == "export"; });
+    if (!mayPaint)
+        return std::make_unique<QCoreApplication>(argc, argv);
+    const QByteArray platform = qgetenv(kPlatform);
+    qputenv(kPlatform, "offscreen");
+    auto application = std::make_unique<QGuiApplication>(argc, argv);
+    platform.isNull() ? qunsetenv(kPlatform) : qputenv(kPlatform, platform); // for an editor on a file of this name
+    return application;
+}
 
 /// Everything but the editor, which needs another kind of application: what came of it, and for the editor the
 /// sentence for want of a display in the language asked for.
 std::optional<ExitCode> runCommand(int argc, char** argv, EditorRequest& editor) {
     endWithoutDisplay({}); // and nothing of Qt's own about the locale
-    const QCoreApplication application(argc, argv);
+    const std::unique_ptr<QCoreApplication> application = applicationFor(argc, argv);
     logToTerminal();
     const QStringList arguments = QCoreApplication::arguments().sliced(1);
     const ui::LanguageSwitch language(languageAskedFor(arguments));

@@ -187,6 +187,18 @@
         <source>&amp;Shortcuts</source>
         <translation>&amp;Клавишни комбинации</translation>
     </message>
+    <message>
+        <source>Export a&amp;gain</source>
+        <translation>Изнасяне о&amp;тново</translation>
+    </message>
+    <message>
+        <source>Copy &amp;figure</source>
+        <translation>Копиране на фи&amp;гура</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;TikZ</source>
+        <translation>Копиране като &amp;TikZ</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -572,16 +584,8 @@
         <translation>опцията --%1 не е за тук</translation>
     </message>
     <message>
-        <source>export needs one file</source>
-        <translation>export изисква един файл</translation>
-    </message>
-    <message>
         <source>export needs the file to write: -o OUT.svg</source>
         <translation>export изисква файл за запис: -o OUT.svg</translation>
-    </message>
-    <message>
-        <source>%1: figures are written as .svg</source>
-        <translation>%1: фигурите се записват като .svg</translation>
     </message>
     <message>
         <source>report needs one file</source>
@@ -590,36 +594,6 @@
     <message>
         <source>there is no format %1</source>
         <translation>няма формат %1</translation>
-    </message>
-    <message>
-        <source>kriva [FILE...]
-    opens the editor
-kriva export FILE -o OUT.svg [--sheet NAME]
-    draws a sheet: the one named, else the one that was shown when the document was saved
-kriva report FILE [--format json|text] [--sheet NAME]
-    prints the numbers of a document
-
-    --language CODE   en, bg, sl or uk; else the language of the system
-    --sheet NAME      elevation, subdivision, spline or combined
-    --help            this text
-    --version         the version
-
-Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
-</source>
-        <translation>kriva [FILE...]
-    отваря редактора
-kriva export FILE -o OUT.svg [--sheet NAME]
-    чертае лист: посочения, иначе показвания при запазването на документа
-kriva report FILE [--format json|text] [--sheet NAME]
-    отпечатва числата на документ
-
-    --language CODE   en, bg, sl или uk; иначе езикът на системата
-    --sheet NAME      elevation, subdivision, spline или combined
-    --help            този текст
-    --version         версията
-
-Кодове на изход: 0 готово, 1 неуспех, 2 грешна употреба, 3 отказан вход, 4 изходът не е записан.
-</translation>
     </message>
     <message>
         <source>%1: there is no curve to draw</source>
@@ -636,6 +610,94 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>%1; kriva --help tells more</source>
         <translation>%1; повече казва kriva --help</translation>
+    </message>
+    <message>
+        <source>export needs a file</source>
+        <translation>export изисква файл</translation>
+    </message>
+    <message>
+        <source>%1: with several files it needs {name} for the name of each</source>
+        <translation>%1: при няколко файла е нужно {name} за името на всеки</translation>
+    </message>
+    <message>
+        <source>kriva [FILE...]
+    opens the editor
+kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
+    draws a sheet: the one named, else the one that was shown when the document was saved.
+    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output
+    --format svg|pdf|png|tex|csv     where the end of OUT does not say it
+    --width 120mm --margin 6mm       of the page; mm, cm, in or pt
+    --no-labels --theme light|dark
+    --no-document --decimals N --inkscape-layers    of SVG
+    --dpi 300 --transparent          of PNG
+    --fragment                       of TeX: to be put into another document
+kriva report FILE [--format json|text] [--sheet NAME]
+    prints the numbers of a document
+
+    --language CODE   en, bg, sl or uk; else the language of the system
+    --sheet NAME      elevation, subdivision, spline or combined
+    --help            this text
+    --version         the version
+
+Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
+</source>
+        <translation>kriva [FILE...]
+    отваря редактора
+kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
+    чертае лист: посочения, иначе показвания при запазването на документа.
+    {name} и {sheet} в OUT са тези на всеки файл; - е стандартният вход и изход
+    --format svg|pdf|png|tex|csv     когато краят на OUT не го казва
+    --width 120mm --margin 6mm       на страницата; mm, cm, in или pt
+    --no-labels --theme light|dark
+    --no-document --decimals N --inkscape-layers    за SVG
+    --dpi 300 --transparent          за PNG
+    --fragment                       за TeX: за вмъкване в друг документ
+kriva report FILE [--format json|text] [--sheet NAME]
+    отпечатва числата на документ
+
+    --language CODE   en, bg, sl или uk; иначе езикът на системата
+    --sheet NAME      elevation, subdivision, spline или combined
+    --help            този текст
+    --version         версията
+
+Кодове на изход: 0 готово, 1 неуспех, 2 грешна употреба, 3 отказан вход, 4 изходът не е записан.
+</translation>
+    </message>
+    <message>
+        <source>%1: there is no curve %2; the sheet has %3, counted from 0</source>
+        <translation>%1: няма крива %2; листът има %3, броени от 0</translation>
+    </message>
+    <message>
+        <source>there is no layer %1; the sheet has %2</source>
+        <translation>няма слой %1; листът има %2</translation>
+    </message>
+    <message>
+        <source>%1: the picture would have more than %2 pixels a side</source>
+        <translation>%1: картината би имала повече от %2 пиксела на страна</translation>
+    </message>
+    <message>
+        <source>%1: TeX draws at most %2 mm a side; --width makes the figure smaller</source>
+        <translation>%1: TeX чертае най-много %2 mm на страна; --width намалява фигурата</translation>
+    </message>
+    <message>
+        <source>%1: figures are written as .svg, .pdf, .png, .tex or .csv</source>
+        <translation>%1: фигурите се записват като .svg, .pdf, .png, .tex или .csv</translation>
+    </message>
+    <message>
+        <source>--width must be more than both margins, which are %1 mm</source>
+        <translation>--width трябва да е повече от двете полета, които са %1 mm</translation>
+    </message>
+    <message>
+        <source>there is no theme %1</source>
+        <translation>няма тема %1</translation>
+    </message>
+    <message>
+        <source>--%1 is a length such as 120mm, at most %2 mm</source>
+        <translation>--%1 е дължина като 120mm, най-много %2 mm</translation>
+    </message>
+    <message>
+        <source>--%1 is a whole number from %2 to %3</source>
+        <translation>--%1 е цяло число от %2 до %3</translation>
     </message>
 </context>
 <context>
@@ -836,21 +898,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Two curves of pairs pass through every point. Drag a middle point: only its own pair changes.</source>
         <translation>Две криви от двойки минават през всички точки. Влачете междинна точка: променя се само нейната двойка.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportFigure</name>
-    <message>
-        <source>Export figure</source>
-        <translation>Изнасяне на фигура</translation>
-    </message>
-    <message>
-        <source>SVG figures (*.svg)</source>
-        <translation>Фигури SVG (*.svg)</translation>
-    </message>
-    <message>
-        <source>The figure was not written</source>
-        <translation>Фигурата не беше записана</translation>
     </message>
 </context>
 <context>
@@ -2158,6 +2205,144 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>The degree cannot fall any more</source>
         <translation>Степента не може да се понижи повече</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ExportDialog</name>
+    <message>
+        <source>Export figure</source>
+        <translation>Изнасяне на фигура</translation>
+    </message>
+    <message>
+        <source>SVG figure</source>
+        <translation>Фигура SVG</translation>
+    </message>
+    <message>
+        <source>PDF page</source>
+        <translation>Страница PDF</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>Картина PNG</translation>
+    </message>
+    <message>
+        <source>TikZ for LaTeX</source>
+        <translation>TikZ за LaTeX</translation>
+    </message>
+    <message>
+        <source>CSV of the points</source>
+        <translation>CSV с точките</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Светли</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Тъмни</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Формат</translation>
+    </message>
+    <message>
+        <source>&amp;Width (mm)</source>
+        <translation>&amp;Ширина (mm)</translation>
+    </message>
+    <message>
+        <source>&amp;Margin (mm)</source>
+        <translation>&amp;Поле (mm)</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Страница</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Цветове</translation>
+    </message>
+    <message>
+        <source>La&amp;yers</source>
+        <translation>С&amp;лоеве</translation>
+    </message>
+    <message>
+        <source>D&amp;ecimals</source>
+        <translation>&amp;Десетични знаци</translation>
+    </message>
+    <message>
+        <source>&amp;Dots per inch</source>
+        <translation>&amp;Точки на инч</translation>
+    </message>
+    <message>
+        <source>&amp;Own width</source>
+        <translation>&amp;Своя ширина</translation>
+    </message>
+    <message>
+        <source>Labe&amp;ls</source>
+        <translation>&amp;Означения</translation>
+    </message>
+    <message>
+        <source>Layers for &amp;Inkscape</source>
+        <translation>Слоеве за &amp;Inkscape</translation>
+    </message>
+    <message>
+        <source>&amp;Round coordinates</source>
+        <translation>З&amp;акръгляване на координатите</translation>
+    </message>
+    <message>
+        <source>&amp;Transparent</source>
+        <translation>Прозра&amp;чна</translation>
+    </message>
+    <message>
+        <source>A &amp;part for another document</source>
+        <translation>Част за д&amp;руг документ</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Слоеве</translation>
+    </message>
+    <message>
+        <source>The figure as it will be</source>
+        <translation>Фигурата, каквато ще бъде</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>The document &amp;goes along, to open the file again</source>
+        <translation>Доку&amp;ментът е във файла, за да се отвори отново</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>И&amp;знасяне…</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::FigureExport</name>
+    <message>
+        <source>The picture would have more than %1 pixels a side.</source>
+        <translation>Картината би имала повече от %1 пиксела на страна.</translation>
+    </message>
+    <message>
+        <source>TeX draws at most %1 mm a side: give the figure a width.</source>
+        <translation>TeX чертае най-много %1 mm на страна: задайте ширина на фигурата.</translation>
+    </message>
+    <message>
+        <source>The figure was not written</source>
+        <translation>Фигурата не беше записана</translation>
+    </message>
+    <message>
+        <source>Export figure</source>
+        <translation>Изнасяне на фигура</translation>
+    </message>
+    <message>
+        <source>Figures (%1)</source>
+        <translation>Фигури (%1)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Записано: %1</translation>
     </message>
 </context>
 <context>

@@ -187,6 +187,18 @@
         <source>&amp;Shortcuts</source>
         <translation>&amp;Bližnjice</translation>
     </message>
+    <message>
+        <source>Export a&amp;gain</source>
+        <translation>Izvozi zno&amp;va</translation>
+    </message>
+    <message>
+        <source>Copy &amp;figure</source>
+        <translation>Kopiraj s&amp;liko</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;TikZ</source>
+        <translation>Kopiraj kot &amp;TikZ</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -572,16 +584,8 @@
         <translation>možnost --%1 ne spada sem</translation>
     </message>
     <message>
-        <source>export needs one file</source>
-        <translation>export potrebuje eno datoteko</translation>
-    </message>
-    <message>
         <source>export needs the file to write: -o OUT.svg</source>
         <translation>export potrebuje datoteko za zapis: -o OUT.svg</translation>
-    </message>
-    <message>
-        <source>%1: figures are written as .svg</source>
-        <translation>%1: slike se zapisujejo kot .svg</translation>
     </message>
     <message>
         <source>report needs one file</source>
@@ -590,36 +594,6 @@
     <message>
         <source>there is no format %1</source>
         <translation>oblike %1 ni</translation>
-    </message>
-    <message>
-        <source>kriva [FILE...]
-    opens the editor
-kriva export FILE -o OUT.svg [--sheet NAME]
-    draws a sheet: the one named, else the one that was shown when the document was saved
-kriva report FILE [--format json|text] [--sheet NAME]
-    prints the numbers of a document
-
-    --language CODE   en, bg, sl or uk; else the language of the system
-    --sheet NAME      elevation, subdivision, spline or combined
-    --help            this text
-    --version         the version
-
-Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
-</source>
-        <translation>kriva [FILE...]
-    odpre urejevalnik
-kriva export FILE -o OUT.svg [--sheet NAME]
-    nariše list: imenovanega, sicer tistega, ki je bil prikazan ob shranjevanju dokumenta
-kriva report FILE [--format json|text] [--sheet NAME]
-    izpiše števila dokumenta
-
-    --language CODE   en, bg, sl ali uk; sicer jezik sistema
-    --sheet NAME      elevation, subdivision, spline ali combined
-    --help            to besedilo
-    --version         različica
-
-Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod ni zapisan.
-</translation>
     </message>
     <message>
         <source>%1: there is no curve to draw</source>
@@ -636,6 +610,94 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>%1; kriva --help tells more</source>
         <translation>%1; več pove kriva --help</translation>
+    </message>
+    <message>
+        <source>export needs a file</source>
+        <translation>export potrebuje datoteko</translation>
+    </message>
+    <message>
+        <source>%1: with several files it needs {name} for the name of each</source>
+        <translation>%1: pri več datotekah je potreben {name} za ime vsake</translation>
+    </message>
+    <message>
+        <source>kriva [FILE...]
+    opens the editor
+kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
+    draws a sheet: the one named, else the one that was shown when the document was saved.
+    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output
+    --format svg|pdf|png|tex|csv     where the end of OUT does not say it
+    --width 120mm --margin 6mm       of the page; mm, cm, in or pt
+    --no-labels --theme light|dark
+    --no-document --decimals N --inkscape-layers    of SVG
+    --dpi 300 --transparent          of PNG
+    --fragment                       of TeX: to be put into another document
+kriva report FILE [--format json|text] [--sheet NAME]
+    prints the numbers of a document
+
+    --language CODE   en, bg, sl or uk; else the language of the system
+    --sheet NAME      elevation, subdivision, spline or combined
+    --help            this text
+    --version         the version
+
+Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
+</source>
+        <translation>kriva [FILE...]
+    odpre urejevalnik
+kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
+    nariše list: imenovanega, sicer tistega, ki je bil prikazan ob shranjevanju dokumenta.
+    {name} in {sheet} v OUT sta ime in list vsake datoteke; - je standardni vhod in izhod
+    --format svg|pdf|png|tex|csv     kadar ga konec OUT ne pove
+    --width 120mm --margin 6mm       strani; mm, cm, in ali pt
+    --no-labels --theme light|dark
+    --no-document --decimals N --inkscape-layers    za SVG
+    --dpi 300 --transparent          za PNG
+    --fragment                       za TeX: za vstavljanje v drug dokument
+kriva report FILE [--format json|text] [--sheet NAME]
+    izpiše števila dokumenta
+
+    --language CODE   en, bg, sl ali uk; sicer jezik sistema
+    --sheet NAME      elevation, subdivision, spline ali combined
+    --help            to besedilo
+    --version         različica
+
+Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod ni zapisan.
+</translation>
+    </message>
+    <message>
+        <source>%1: there is no curve %2; the sheet has %3, counted from 0</source>
+        <translation>%1: krivulje %2 ni; list jih ima %3, štetih od 0</translation>
+    </message>
+    <message>
+        <source>there is no layer %1; the sheet has %2</source>
+        <translation>plasti %1 ni; list ima %2</translation>
+    </message>
+    <message>
+        <source>%1: the picture would have more than %2 pixels a side</source>
+        <translation>%1: slika bi imela več kot %2 pik na stranico</translation>
+    </message>
+    <message>
+        <source>%1: TeX draws at most %2 mm a side; --width makes the figure smaller</source>
+        <translation>%1: TeX riše največ %2 mm na stranico; --width pomanjša sliko</translation>
+    </message>
+    <message>
+        <source>%1: figures are written as .svg, .pdf, .png, .tex or .csv</source>
+        <translation>%1: slike se zapisujejo kot .svg, .pdf, .png, .tex ali .csv</translation>
+    </message>
+    <message>
+        <source>--width must be more than both margins, which are %1 mm</source>
+        <translation>--width mora biti več kot oba robova, ki sta %1 mm</translation>
+    </message>
+    <message>
+        <source>there is no theme %1</source>
+        <translation>teme %1 ni</translation>
+    </message>
+    <message>
+        <source>--%1 is a length such as 120mm, at most %2 mm</source>
+        <translation>--%1 je dolžina, kot je 120mm, največ %2 mm</translation>
+    </message>
+    <message>
+        <source>--%1 is a whole number from %2 to %3</source>
+        <translation>--%1 je celo število od %2 do %3</translation>
     </message>
 </context>
 <context>
@@ -838,21 +900,6 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Two curves of pairs pass through every point. Drag a middle point: only its own pair changes.</source>
         <translation>Dve krivulji iz parov gresta skozi vse točke. Povlecite vmesno točko: spremeni se samo njen par.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportFigure</name>
-    <message>
-        <source>Export figure</source>
-        <translation>Izvoz slike</translation>
-    </message>
-    <message>
-        <source>SVG figures (*.svg)</source>
-        <translation>Slike SVG (*.svg)</translation>
-    </message>
-    <message>
-        <source>The figure was not written</source>
-        <translation>Slika ni bila zapisana</translation>
     </message>
 </context>
 <context>
@@ -2160,6 +2207,144 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>The degree cannot fall any more</source>
         <translation>Stopnje ni mogoče več znižati</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ExportDialog</name>
+    <message>
+        <source>Export figure</source>
+        <translation>Izvoz slike</translation>
+    </message>
+    <message>
+        <source>SVG figure</source>
+        <translation>Slika SVG</translation>
+    </message>
+    <message>
+        <source>PDF page</source>
+        <translation>Stran PDF</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>Slika PNG</translation>
+    </message>
+    <message>
+        <source>TikZ for LaTeX</source>
+        <translation>TikZ za LaTeX</translation>
+    </message>
+    <message>
+        <source>CSV of the points</source>
+        <translation>CSV s točkami</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Svetle</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Temne</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Oblika zapisa</translation>
+    </message>
+    <message>
+        <source>&amp;Width (mm)</source>
+        <translation>&amp;Širina (mm)</translation>
+    </message>
+    <message>
+        <source>&amp;Margin (mm)</source>
+        <translation>&amp;Rob (mm)</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Stran</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Barve</translation>
+    </message>
+    <message>
+        <source>La&amp;yers</source>
+        <translation>&amp;Plasti</translation>
+    </message>
+    <message>
+        <source>D&amp;ecimals</source>
+        <translation>&amp;Decimalke</translation>
+    </message>
+    <message>
+        <source>&amp;Dots per inch</source>
+        <translation>Pik na pal&amp;ec</translation>
+    </message>
+    <message>
+        <source>&amp;Own width</source>
+        <translation>&amp;Lastna širina</translation>
+    </message>
+    <message>
+        <source>Labe&amp;ls</source>
+        <translation>O&amp;znake</translation>
+    </message>
+    <message>
+        <source>Layers for &amp;Inkscape</source>
+        <translation>Plasti za &amp;Inkscape</translation>
+    </message>
+    <message>
+        <source>&amp;Round coordinates</source>
+        <translation>Zaokroži &amp;koordinate</translation>
+    </message>
+    <message>
+        <source>&amp;Transparent</source>
+        <translation>Pro&amp;sojna</translation>
+    </message>
+    <message>
+        <source>A &amp;part for another document</source>
+        <translation>Del za dr&amp;ug dokument</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Plasti</translation>
+    </message>
+    <message>
+        <source>The figure as it will be</source>
+        <translation>Slika, kakršna bo</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>The document &amp;goes along, to open the file again</source>
+        <translation>Dokument &amp;gre zraven, da se datoteka spet odpre</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>Iz&amp;vozi …</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::FigureExport</name>
+    <message>
+        <source>The picture would have more than %1 pixels a side.</source>
+        <translation>Slika bi imela več kot %1 pik na stranico.</translation>
+    </message>
+    <message>
+        <source>TeX draws at most %1 mm a side: give the figure a width.</source>
+        <translation>TeX riše največ %1 mm na stranico: določite širino slike.</translation>
+    </message>
+    <message>
+        <source>The figure was not written</source>
+        <translation>Slika ni bila zapisana</translation>
+    </message>
+    <message>
+        <source>Export figure</source>
+        <translation>Izvoz slike</translation>
+    </message>
+    <message>
+        <source>Figures (%1)</source>
+        <translation>Slike (%1)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Zapisano: %1</translation>
     </message>
 </context>
 <context>

@@ -187,6 +187,18 @@
         <source>&amp;Shortcuts</source>
         <translation>&amp;Клавіатурні скорочення</translation>
     </message>
+    <message>
+        <source>Export a&amp;gain</source>
+        <translation>Експортувати &amp;ще раз</translation>
+    </message>
+    <message>
+        <source>Copy &amp;figure</source>
+        <translation>Копіювати &amp;рисунок</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;TikZ</source>
+        <translation>Копіювати як &amp;TikZ</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -572,16 +584,8 @@
         <translation>параметру --%1 тут не місце</translation>
     </message>
     <message>
-        <source>export needs one file</source>
-        <translation>export потребує одного файлу</translation>
-    </message>
-    <message>
         <source>export needs the file to write: -o OUT.svg</source>
         <translation>export потребує файлу для запису: -o OUT.svg</translation>
-    </message>
-    <message>
-        <source>%1: figures are written as .svg</source>
-        <translation>%1: рисунки записуються як .svg</translation>
     </message>
     <message>
         <source>report needs one file</source>
@@ -590,36 +594,6 @@
     <message>
         <source>there is no format %1</source>
         <translation>немає формату %1</translation>
-    </message>
-    <message>
-        <source>kriva [FILE...]
-    opens the editor
-kriva export FILE -o OUT.svg [--sheet NAME]
-    draws a sheet: the one named, else the one that was shown when the document was saved
-kriva report FILE [--format json|text] [--sheet NAME]
-    prints the numbers of a document
-
-    --language CODE   en, bg, sl or uk; else the language of the system
-    --sheet NAME      elevation, subdivision, spline or combined
-    --help            this text
-    --version         the version
-
-Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
-</source>
-        <translation>kriva [FILE...]
-    відкриває редактор
-kriva export FILE -o OUT.svg [--sheet NAME]
-    малює аркуш: названий, інакше той, що був показаний під час збереження документа
-kriva report FILE [--format json|text] [--sheet NAME]
-    друкує числа документа
-
-    --language CODE   en, bg, sl або uk; інакше мова системи
-    --sheet NAME      elevation, subdivision, spline або combined
-    --help            цей текст
-    --version         версія
-
-Коди виходу: 0 зроблено, 1 невдача, 2 хибне вживання, 3 ввід відхилено, 4 вивід не записано.
-</translation>
     </message>
     <message>
         <source>%1: there is no curve to draw</source>
@@ -636,6 +610,94 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>%1; kriva --help tells more</source>
         <translation>%1; докладніше: kriva --help</translation>
+    </message>
+    <message>
+        <source>export needs a file</source>
+        <translation>export потребує файлу</translation>
+    </message>
+    <message>
+        <source>%1: with several files it needs {name} for the name of each</source>
+        <translation>%1: для кількох файлів потрібне {name} для назви кожного</translation>
+    </message>
+    <message>
+        <source>kriva [FILE...]
+    opens the editor
+kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
+    draws a sheet: the one named, else the one that was shown when the document was saved.
+    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output
+    --format svg|pdf|png|tex|csv     where the end of OUT does not say it
+    --width 120mm --margin 6mm       of the page; mm, cm, in or pt
+    --no-labels --theme light|dark
+    --no-document --decimals N --inkscape-layers    of SVG
+    --dpi 300 --transparent          of PNG
+    --fragment                       of TeX: to be put into another document
+kriva report FILE [--format json|text] [--sheet NAME]
+    prints the numbers of a document
+
+    --language CODE   en, bg, sl or uk; else the language of the system
+    --sheet NAME      elevation, subdivision, spline or combined
+    --help            this text
+    --version         the version
+
+Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
+</source>
+        <translation>kriva [FILE...]
+    відкриває редактор
+kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
+    малює аркуш: названий, інакше той, що був показаний під час збереження документа.
+    {name} і {sheet} в OUT — назва й аркуш кожного файлу; - є стандартним вводом і виводом
+    --format svg|pdf|png|tex|csv     коли кінець OUT його не називає
+    --width 120mm --margin 6mm       сторінки; mm, cm, in або pt
+    --no-labels --theme light|dark
+    --no-document --decimals N --inkscape-layers    для SVG
+    --dpi 300 --transparent          для PNG
+    --fragment                       для TeX: для вставлення в інший документ
+kriva report FILE [--format json|text] [--sheet NAME]
+    друкує числа документа
+
+    --language CODE   en, bg, sl або uk; інакше мова системи
+    --sheet NAME      elevation, subdivision, spline або combined
+    --help            цей текст
+    --version         версія
+
+Коди виходу: 0 зроблено, 1 невдача, 2 хибне вживання, 3 ввід відхилено, 4 вивід не записано.
+</translation>
+    </message>
+    <message>
+        <source>%1: there is no curve %2; the sheet has %3, counted from 0</source>
+        <translation>%1: немає кривої %2; аркуш має %3, лічба від 0</translation>
+    </message>
+    <message>
+        <source>there is no layer %1; the sheet has %2</source>
+        <translation>немає шару %1; аркуш має %2</translation>
+    </message>
+    <message>
+        <source>%1: the picture would have more than %2 pixels a side</source>
+        <translation>%1: картинка мала б понад %2 пікселів за сторону</translation>
+    </message>
+    <message>
+        <source>%1: TeX draws at most %2 mm a side; --width makes the figure smaller</source>
+        <translation>%1: TeX малює щонайбільше %2 мм за сторону; --width зменшує рисунок</translation>
+    </message>
+    <message>
+        <source>%1: figures are written as .svg, .pdf, .png, .tex or .csv</source>
+        <translation>%1: рисунки записуються як .svg, .pdf, .png, .tex або .csv</translation>
+    </message>
+    <message>
+        <source>--width must be more than both margins, which are %1 mm</source>
+        <translation>--width має бути більше за обидва поля, які становлять %1 мм</translation>
+    </message>
+    <message>
+        <source>there is no theme %1</source>
+        <translation>немає теми %1</translation>
+    </message>
+    <message>
+        <source>--%1 is a length such as 120mm, at most %2 mm</source>
+        <translation>--%1 є довжиною на зразок 120mm, щонайбільше %2 мм</translation>
+    </message>
+    <message>
+        <source>--%1 is a whole number from %2 to %3</source>
+        <translation>--%1 є цілим числом від %2 до %3</translation>
     </message>
 </context>
 <context>
@@ -837,21 +899,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Two curves of pairs pass through every point. Drag a middle point: only its own pair changes.</source>
         <translation>Дві криві з пар проходять через усі точки. Потягніть проміжну точку: змінюється лише її пара.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportFigure</name>
-    <message>
-        <source>Export figure</source>
-        <translation>Експорт рисунка</translation>
-    </message>
-    <message>
-        <source>SVG figures (*.svg)</source>
-        <translation>Рисунки SVG (*.svg)</translation>
-    </message>
-    <message>
-        <source>The figure was not written</source>
-        <translation>Рисунок не записано</translation>
     </message>
 </context>
 <context>
@@ -2159,6 +2206,144 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>The degree cannot fall any more</source>
         <translation>Степінь більше не можна знизити</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ExportDialog</name>
+    <message>
+        <source>Export figure</source>
+        <translation>Експорт рисунка</translation>
+    </message>
+    <message>
+        <source>SVG figure</source>
+        <translation>Рисунок SVG</translation>
+    </message>
+    <message>
+        <source>PDF page</source>
+        <translation>Сторінка PDF</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>Зображення PNG</translation>
+    </message>
+    <message>
+        <source>TikZ for LaTeX</source>
+        <translation>TikZ для LaTeX</translation>
+    </message>
+    <message>
+        <source>CSV of the points</source>
+        <translation>CSV з точками</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Світлі</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Темні</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Формат</translation>
+    </message>
+    <message>
+        <source>&amp;Width (mm)</source>
+        <translation>&amp;Ширина (мм)</translation>
+    </message>
+    <message>
+        <source>&amp;Margin (mm)</source>
+        <translation>&amp;Поле (мм)</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Сторінка</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Кольори</translation>
+    </message>
+    <message>
+        <source>La&amp;yers</source>
+        <translation>Ша&amp;ри</translation>
+    </message>
+    <message>
+        <source>D&amp;ecimals</source>
+        <translation>&amp;Десяткові знаки</translation>
+    </message>
+    <message>
+        <source>&amp;Dots per inch</source>
+        <translation>&amp;Точок на дюйм</translation>
+    </message>
+    <message>
+        <source>&amp;Own width</source>
+        <translation>&amp;Власна ширина</translation>
+    </message>
+    <message>
+        <source>Labe&amp;ls</source>
+        <translation>П&amp;означення</translation>
+    </message>
+    <message>
+        <source>Layers for &amp;Inkscape</source>
+        <translation>Шари для &amp;Inkscape</translation>
+    </message>
+    <message>
+        <source>&amp;Round coordinates</source>
+        <translation>Округлити координ&amp;ати</translation>
+    </message>
+    <message>
+        <source>&amp;Transparent</source>
+        <translation>Про&amp;зора</translation>
+    </message>
+    <message>
+        <source>A &amp;part for another document</source>
+        <translation>&amp;Частина для іншого документа</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Шари</translation>
+    </message>
+    <message>
+        <source>The figure as it will be</source>
+        <translation>Рисунок, яким він буде</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 мм</translation>
+    </message>
+    <message>
+        <source>The document &amp;goes along, to open the file again</source>
+        <translation>Документ &amp;йде разом, щоб відкрити файл знову</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>&amp;Експортувати…</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::FigureExport</name>
+    <message>
+        <source>The picture would have more than %1 pixels a side.</source>
+        <translation>Зображення мало б понад %1 пікселів за сторону.</translation>
+    </message>
+    <message>
+        <source>TeX draws at most %1 mm a side: give the figure a width.</source>
+        <translation>TeX малює щонайбільше %1 мм за сторону: задайте ширину рисунка.</translation>
+    </message>
+    <message>
+        <source>The figure was not written</source>
+        <translation>Рисунок не записано</translation>
+    </message>
+    <message>
+        <source>Export figure</source>
+        <translation>Експорт рисунка</translation>
+    </message>
+    <message>
+        <source>Figures (%1)</source>
+        <translation>Рисунки (%1)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Записано: %1</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,7 @@
 #include "app/commands/command_line.h"
 
+#include "app/commands/export_options.h"
+
 #include <QCoreApplication>
 #include <QMap>
 
@@ -31,11 +33,13 @@ class CommandLine {
 };
 
 bool takesValue(const QString& option) {
-    return QStringList{u"output"_s, u"sheet"_s, u"format"_s, u"language"_s}.contains(option);
+    return QStringList{u"output"_s, u"sheet"_s, u"format"_s, u"language"_s}.contains(option) ||
+           exportOptionNames().values.contains(option);
 }
 
 bool isKnown(const QString& option) {
-    return takesValue(option) || option == u"help" || option == u"version";
+    return takesValue(option) || option == u"help" || option == u"version" ||
+           exportOptionNames().flags.contains(option);
 }
 
 /// "--sheet" and "--sheet=spline" are "sheet", "-o" is "output".
@@ -97,16 +101,22 @@ QString CommandLine::faultOfOptions(const Words& words, const QStringList& allow
 }
 
 Request CommandLine::exported(const Words& words) {
-    if (const QString fault = faultOfOptions(words, {u"output"_s, u"sheet"_s}); !fault.isEmpty())
+    const ExportOptionNames own = exportOptionNames();
+    if (const QString fault =
+            faultOfOptions(words, own.values + own.flags + QStringList{u"output"_s, u"sheet"_s, u"format"_s});
+        !fault.isEmpty())
         return UsageError{fault};
-    if (words.plain.size() != 1)
-        return UsageError{tr("export needs one file")};
+    if (words.plain.isEmpty())
+        return UsageError{tr("export needs a file")};
     const QString output = words.options.value(u"output"_s);
     if (output.isEmpty())
         return UsageError{tr("export needs the file to write: -o OUT.svg")};
-    if (!output.endsWith(u".svg", Qt::CaseInsensitive))
-        return UsageError{tr("%1: figures are written as .svg").arg(output)};
-    return ExportRequest{words.plain.first(), output, sheetOf(words)};
+    if (words.plain.size() > 1 && !output.contains(u"{name}"))
+        return UsageError{tr("%1: with several files it needs {name} for the name of each").arg(output)};
+    std::variant<ui::FigureFileOptions, QString> options = exportOptions(words.options);
+    if (QString* fault = std::get_if<QString>(&options))
+        return UsageError{std::move(*fault)};
+    return ExportRequest{words.plain, output, sheetOf(words), std::get<ui::FigureFileOptions>(std::move(options))};
 }
 
 Request CommandLine::reported(const Words& words) {
@@ -140,8 +150,15 @@ Request CommandLine::understood(Words words) {
 QString CommandLine::help() {
     return tr("kriva [FILE...]\n"
               "    opens the editor\n"
-              "kriva export FILE -o OUT.svg [--sheet NAME]\n"
-              "    draws a sheet: the one named, else the one that was shown when the document was saved\n"
+              "kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]\n"
+              "    draws a sheet: the one named, else the one that was shown when the document was saved.\n"
+              "    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output\n"
+              "    --format svg|pdf|png|tex|csv     where the end of OUT does not say it\n"
+              "    --width 120mm --margin 6mm       of the page; mm, cm, in or pt\n"
+              "    --no-labels --theme light|dark\n"
+              "    --no-document --decimals N --inkscape-layers    of SVG\n"
+              "    --dpi 300 --transparent          of PNG\n"
+              "    --fragment                       of TeX: to be put into another document\n"
               "kriva report FILE [--format json|text] [--sheet NAME]\n"
               "    prints the numbers of a document\n"
               "\n"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/document/document.h"
+#include "ui/figures/figure_file.h"
 #include "ui/shell/language/language.h"
 
 #include <QStringList>
@@ -15,9 +16,10 @@ struct EditorRequest {
     std::optional<ui::Language> language; ///< else the one that was chosen last
 };
 struct ExportRequest {
-    QString file;
-    QString output;
+    QStringList files;
+    QString output; ///< `{name}` and `{sheet}` stand for those of each file
     std::optional<SheetIndex> sheet;
+    ui::FigureFileOptions options;
 };
 struct ReportRequest {
     QString file;

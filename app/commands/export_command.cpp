@@ -1,19 +1,41 @@
 #include "app/commands/export_command.h"
 
-#include "core/io/svg_writer.h"
 #include "ui/document/document_file.h"
 #include "ui/document/error_text.h"
-#include "ui/figures/caption_text.h"
+#include "ui/figures/figure_file.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
+
+#include <algorithm>
 
 namespace kriva::app {
 namespace {
+
+/// The name that stands for the standard input and output.
+const QString kStandardStream = QStringLiteral("-");
 
 class Export {
     Q_DECLARE_TR_FUNCTIONS(CommandLine)
   public:
     static QString nothingToDraw(const QString& file) { return tr("%1: there is no curve to draw").arg(file); }
+    static QString noSuchCurve(const QString& file, std::size_t curve, std::size_t count) {
+        return tr("%1: there is no curve %2; the sheet has %3, counted from 0").arg(file).arg(curve).arg(count);
+    }
+    static QString noSuchLayer(const QString& layer, const QStringList& layers) {
+        return tr("there is no layer %1; the sheet has %2").arg(layer, layers.join(QStringLiteral(", ")));
+    }
+    static QString sentence(ui::FigureFault fault, const QString& file) {
+        switch (fault) {
+        case ui::FigureFault::tooManyPixels:
+            return tr("%1: the picture would have more than %2 pixels a side").arg(file).arg(ui::kMostPixels);
+        case ui::FigureFault::beyondTex:
+            return tr("%1: TeX draws at most %2 mm a side; --width makes the figure smaller")
+                .arg(file)
+                .arg(kMostTexSide);
+        }
+        return {};
+    }
 };
 
 bool isEmpty(const Document& document, SheetIndex sheet) {
@@ -31,26 +53,72 @@ std::optional<SheetIndex> sheetToDraw(const Document& document, std::optional<Sh
     return {};
 }
 
-} // namespace
+QString layerFault(const DrawingOptions& options, SheetIndex sheet) {
+    QStringList names;
+    for (const LayerInfo& layer : layersOf(sheet))
+        names.append(QString::fromUtf8(layer.name.data(), static_cast<qsizetype>(layer.name.size())));
+    for (const std::string& layer : options.layers.value_or(std::vector<std::string>()))
+        if (!names.contains(QString::fromStdString(layer)))
+            return Export::noSuchLayer(QString::fromStdString(layer), names);
+    return {};
+}
 
-ExitCode exportFigure(const ExportRequest& request) {
-    const auto loaded = ui::loadDocument(request.file);
-    if (const ui::OpenError* error = std::get_if<ui::OpenError>(&loaded)) {
-        printError(errorText(*error, request.file));
-        return ExitCode::refused;
-    }
+/// What a name of a file may have whatever the system: other characters become `_`.
+QString reducedName(const QString& file) {
+    QString name = file == kStandardStream ? QStringLiteral("figure") : QFileInfo(file).completeBaseName();
+    for (QChar& c : name)
+        if (!(c.unicode() < 0x80 && (c.isLetterOrNumber() || QStringLiteral("._-").contains(c))))
+            c = QLatin1Char('_');
+    return name;
+}
+
+QString outputFor(QString pattern, const QString& file, SheetIndex sheet) {
+    const std::string_view name = sheetName(sheet);
+    return pattern.replace(QStringLiteral("{name}"), reducedName(file))
+        .replace(QStringLiteral("{sheet}"), QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+}
+
+ExitCode write(const QString& output, const QByteArray& bytes) {
+    if (output == kStandardStream)
+        return printOut(bytes);
+    const auto error = ui::safeWrite(output, bytes);
+    if (error)
+        printError(errorText(*error, output));
+    return error ? ExitCode::notWritten : ExitCode::done;
+}
+
+ExitCode refused(const QString& sentence, ExitCode code) {
+    printError(sentence);
+    return code;
+}
+
+ExitCode exportOne(const QString& file, const ExportRequest& request) {
+    const auto loaded = file == kStandardStream ? ui::documentFrom(readIn()) : ui::loadDocument(file);
+    if (const ui::OpenError* error = std::get_if<ui::OpenError>(&loaded))
+        return refused(errorText(*error, file), ExitCode::refused);
     const Document& document = std::get<Document>(loaded);
     const std::optional<SheetIndex> sheet = sheetToDraw(document, request.sheet);
-    if (!sheet) {
-        printError(Export::nothingToDraw(request.file));
-        return ExitCode::failure;
-    }
-    const std::string svg = writeSheetSvg(document, *sheet, ui::textSource());
-    if (const auto error = ui::safeWrite(request.output, {svg.data(), static_cast<qsizetype>(svg.size())})) {
-        printError(errorText(*error, request.output));
-        return ExitCode::notWritten;
-    }
-    return ExitCode::done;
+    if (!sheet)
+        return refused(Export::nothingToDraw(file), ExitCode::failure);
+    const DrawingOptions& drawing = request.options.drawing;
+    const std::size_t curves = document.sheets[*sheet].curves.size();
+    if (drawing.curve.value_or(0) >= curves)
+        return refused(Export::noSuchCurve(file, *drawing.curve, curves), ExitCode::usage);
+    if (const QString fault = layerFault(drawing, *sheet); !fault.isEmpty())
+        return refused(fault, ExitCode::usage);
+    const ui::FigureFile made = ui::figureFile(document, *sheet, request.options);
+    if (const ui::FigureFault* fault = std::get_if<ui::FigureFault>(&made))
+        return refused(Export::sentence(*fault, file), ExitCode::failure);
+    return write(outputFor(request.output, file, *sheet), std::get<QByteArray>(made));
+}
+
+} // namespace
+
+ExitCode exportFigures(const ExportRequest& request) {
+    ExitCode worst = ExitCode::done;
+    for (const QString& file : request.files)
+        worst = std::max(worst, exportOne(file, request));
+    return worst;
 }
 
 } // namespace kriva::app

@@ -5,7 +5,8 @@
 
 namespace kriva::app {
 
-/// Draws a sheet of a document into a file. Needs no display.
-[[nodiscard]] ExitCode exportFigure(const ExportRequest& request);
+/// Draws a sheet of each document into a file. Pictures need a QGuiApplication, of any platform. The worst code of all
+/// files.
+[[nodiscard]] ExitCode exportFigures(const ExportRequest& request);
 
 } // namespace kriva::app

@@ -1,6 +1,7 @@
 #include "app/commands/terminal.h"
 
 #include <QCoreApplication>
+#include <QFile>
 
 #include <algorithm>
 #include <array>
@@ -65,6 +66,24 @@ void printError(const QString& line) {
     const QString cut = whole.size() > kLongestLine ? whole.first(kLongestLine - 1) + QChar(u'…') : whole;
     // Where stderr itself is gone there is nobody left to tell.
     (void)writeAll(cut.toUtf8() + '\n', stderr);
+}
+
+std::variant<QByteArray, ui::ReadError> readIn() {
+    QFile in;
+    if (!in.open(stdin, QIODevice::ReadOnly))
+        return ui::ReadError{ui::ReadFault::Failed};
+    QByteArray bytes;
+    while (bytes.size() <= ui::kLargestFile) {
+        const QByteArray more = in.read(ui::kLargestFile + 1 - bytes.size());
+        if (more.isEmpty())
+            break;
+        bytes += more;
+    }
+    if (in.error() != QFile::NoError)
+        return ui::ReadError{ui::ReadFault::Failed};
+    if (bytes.size() > ui::kLargestFile)
+        return ui::ReadError{ui::ReadFault::TooLarge};
+    return bytes;
 }
 
 ExitCode printOut(const QByteArray& bytes) {

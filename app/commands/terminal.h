@@ -1,7 +1,6 @@
 #pragma once
 
-#include <QByteArray>
-#include <QString>
+#include "ui/document/bounded_read.h"
 
 namespace kriva::app {
 
@@ -13,6 +12,9 @@ enum class ExitCode { done = 0, failure = 1, usage = 2, refused = 3, notWritten 
 
 /// One line on stderr, printable, of at most 1,000 characters.
 void printError(const QString& line);
+
+/// All bytes of stdin, at most as many as a file may have.
+[[nodiscard]] std::variant<QByteArray, ui::ReadError> readIn();
 
 /// Writes to stdout; notWritten (with a line on stderr) where not every byte got there.
 [[nodiscard]] ExitCode printOut(const QByteArray& bytes);

@@ -5,15 +5,15 @@
 namespace kriva {
 
 std::optional<std::string> writeCurveSvg(const Curve& curve, std::optional<double> mmPerUnit, const TextSource& texts) {
-    SvgContent content;
-    content.figure = figureOf(curve, {0, false}); // without what is derived from it
-    std::erase_if(content.figure.layers, [](const Layer& layer) { return layer.name != "curve"; });
-    if (content.figure.layers.empty() || content.figure.layers.front().strokes.empty())
+    Drawing drawing;
+    drawing.figure = figureOf(curve, {0, false}); // without what is derived from it
+    std::erase_if(drawing.figure.layers, [](const Layer& layer) { return layer.name != "curve"; });
+    if (drawing.figure.layers.empty() || drawing.figure.layers.front().strokes.empty())
         return {};
-    content.page = pageOf(boxOf(content.figure), mmPerUnit);
-    content.title = nameOf(curve).empty() ? texts.translate(captionOf(curve.index())) : nameOf(curve);
-    content.hasPaper = false;
-    return writeSvg(content, texts);
+    drawing.page = pageOf(boxOf(drawing.figure), mmPerUnit);
+    drawing.title = nameOf(curve).empty() ? texts.translate(captionOf(curve.index())) : nameOf(curve);
+    drawing.hasPaper = false;
+    return writeSvg(drawing, texts);
 }
 
 } // namespace kriva

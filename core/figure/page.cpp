@@ -21,6 +21,20 @@ Page pageOf(const Box& box, std::optional<double> mmPerUnit, double margin) {
     return page;
 }
 
+Page pageOfWidth(const Box& box, double width, double margin) {
+    const double room = width - 2 * margin;
+    const double scale = room / box.width();
+    const bool hasWidth = !box.isEmpty() && std::isfinite(scale);
+    Page page = pageOf(box, hasWidth ? std::optional(scale) : std::nullopt, margin);
+    page.width = width;
+    if (hasWidth)
+        return page;
+    const double halfOfRoom = room / 2 / page.mmPerUnit;
+    page.box.xmin -= halfOfRoom;
+    page.box.xmax += halfOfRoom;
+    return page;
+}
+
 Point onPage(const Page& page, Point p) {
     // The differences come first: far from the origin they are exact, the scaled coordinates would not be.
     return {page.margin + (p.x - page.box.xmin) * page.mmPerUnit, page.margin + (page.box.ymax - p.y) * page.mmPerUnit};

@@ -24,6 +24,10 @@ inline constexpr double kPageSide = 120;
 /// (no point, or all in one place), a unit is a millimetre and the page nothing but margin.
 [[nodiscard]] Page pageOf(const Box& box, std::optional<double> mmPerUnit = {}, double margin = kPageMargin);
 
+/// The page of that width, in millimetres and more than both margins: its scale follows. Where the box has no width, a
+/// page with the scale of pageOf and the box in its middle.
+[[nodiscard]] Page pageOfWidth(const Box& box, double width, double margin = kPageMargin);
+
 /// A place of the document on the page, to 4 ulp of the page's longer side.
 [[nodiscard]] Point onPage(const Page& page, Point p);
 

@@ -42,8 +42,8 @@ class PathText {
 
 } // namespace
 
-std::string pathData(const Path& path, const Page& page) {
-    PathText text(decimalsOf(page));
+std::string pathData(const Path& path, const Page& page, int decimals) {
+    PathText text(decimals);
     Points points;
     bool isStarted = false;
     forEachPiece(path, [&](std::span<const Point> piece) {

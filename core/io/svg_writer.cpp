@@ -4,7 +4,6 @@
 #include "core/figure/color.h"
 #include "core/figure/label_placement.h"
 #include "core/figure/labels.h"
-#include "core/figure/plot/plot_figure.h"
 #include "core/io/svg_namespace.h"
 #include "core/io/svg_path.h"
 #include "core/io/xml_text.h"
@@ -25,15 +24,17 @@ std::string fromPoints(double points) {
 
 class SvgText {
   public:
-    SvgText(const SvgContent& content, const TextSource& texts)
-        : content_(content)
-        , texts_(texts) {}
+    SvgText(const Drawing& drawing, const TextSource& texts, const SvgOptions& options)
+        : drawing_(drawing)
+        , texts_(texts)
+        , options_(options)
+        , decimals_(options.decimals.value_or(decimalsOf(drawing.page))) {}
 
     [[nodiscard]] std::string take() &&;
 
   private:
     void head();
-    void layer(const Layer& layer, const std::vector<PlacedLabel>& labels);
+    void layer(std::size_t index, const std::vector<PlacedLabel>& labels);
     void stroke(const Stroke& stroke, bool isOfCurves);
     void marks(const Marks& marks);
     void mark(Point centre, const RoleStyle& style);
@@ -46,51 +47,61 @@ class SvgText {
         text_.append(" ").append(name).append("=\"").append(value).append("\"");
     }
 
-    const SvgContent& content_;
+    const Drawing& drawing_;
     const TextSource& texts_;
+    const SvgOptions& options_;
+    int decimals_;
     std::string text_;
     std::set<int> namedCurves_; ///< whose path has its id already
 };
 
 std::string SvgText::take() && {
     head();
-    const auto labels = placedLabels(content_.figure, content_.page, texts_);
+    const auto labels = placedLabels(drawing_.figure, drawing_.page, texts_);
     for (std::size_t i = 0; i < labels.size(); ++i)
-        layer(content_.figure.layers[i], labels[i]);
+        layer(i, labels[i]);
     line("</svg>");
     return std::move(text_);
 }
 
 void SvgText::head() {
-    const int decimals = decimalsOf(content_.page);
-    const std::string width = plainNumber(content_.page.width, decimals);
-    const std::string height = plainNumber(content_.page.height, decimals);
+    // However few decimals the lines have, the page has its size.
+    const int decimals = decimalsOf(drawing_.page);
+    const std::string width = plainNumber(drawing_.page.width, decimals);
+    const std::string height = plainNumber(drawing_.page.height, decimals);
     line(R"(<?xml version="1.0" encoding="UTF-8"?>)");
     text_ += R"(<svg xmlns="http://www.w3.org/2000/svg")";
+    if (options_.hasInkscapeLayers)
+        attribute("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape");
     attribute("width", width + "mm");
     attribute("height", height + "mm");
     attribute("viewBox", "0 0 " + width + " " + height);
     attribute("role", "img");
     attribute("xml:lang", xmlText(texts_.language));
     line(">");
-    line("<title>" + xmlText(content_.title) + "</title>");
-    line("<desc>" + xmlText(content_.description) + "</desc>");
-    if (!content_.document.empty()) {
+    line("<title>" + xmlText(drawing_.title) + "</title>");
+    line("<desc>" + xmlText(drawing_.description) + "</desc>");
+    if (!options_.document.empty()) {
         text_.append("<metadata><kriva:document xmlns:kriva=\"").append(kSvgDocumentNamespace).append("\">");
-        line(xmlJson(content_.document) + "</kriva:document></metadata>");
+        line(xmlJson(options_.document) + "</kriva:document></metadata>");
     }
-    if (!content_.hasPaper)
+    if (!drawing_.hasPaper)
         return;
     text_ += "<rect id=\"paper\"";
     attribute("width", width);
     attribute("height", height);
-    attribute("fill", hexOf(paperColor(content_.theme)));
+    attribute("fill", hexOf(paperColor(drawing_.theme)));
     line("/>");
 }
 
-void SvgText::layer(const Layer& layer, const std::vector<PlacedLabel>& labels) {
+void SvgText::layer(std::size_t index, const std::vector<PlacedLabel>& labels) {
+    const Layer& layer = drawing_.figure.layers[index];
     text_ += "<g";
     attribute("id", "layer-" + std::string(layer.name));
+    if (options_.hasInkscapeLayers) {
+        attribute("inkscape:groupmode", "layer");
+        attribute("inkscape:label", xmlText(drawing_.layerTitles[index]));
+    }
     if (!labels.empty()) {
         attribute("font-family", kTextFamily);
         attribute("font-size", fromPoints(kTextSize));
@@ -106,10 +117,10 @@ void SvgText::layer(const Layer& layer, const std::vector<PlacedLabel>& labels) 
 }
 
 void SvgText::stroke(const Stroke& stroke, bool isOfCurves) {
-    const std::string data = pathData(stroke.path, content_.page);
+    const std::string data = pathData(stroke.path, drawing_.page, decimals_);
     if (data.empty())
         return;
-    const RoleStyle style = styleOf(stroke, content_.theme);
+    const RoleStyle style = styleOf(stroke, drawing_.theme);
     text_ += "<path";
     if (isOfCurves && stroke.curve >= 0 && namedCurves_.insert(stroke.curve).second)
         attribute("id", "curve-" + decimal(stroke.curve));
@@ -132,7 +143,7 @@ void SvgText::stroke(const Stroke& stroke, bool isOfCurves) {
 }
 
 void SvgText::marks(const Marks& marks) {
-    const RoleStyle style = styleOf(marks, content_.theme);
+    const RoleStyle style = styleOf(marks, drawing_.theme);
     if (style.marker == Marker::none || marks.at.empty())
         return;
     text_ += "<g";
@@ -143,7 +154,7 @@ void SvgText::marks(const Marks& marks) {
     }
     line(">");
     for (const Point p : marks.at)
-        mark(onPage(content_.page, p), style);
+        mark(onPage(drawing_.page, p), style);
     line("</g>");
 }
 
@@ -179,7 +190,7 @@ void SvgText::label(const PlacedLabel& label) {
     attribute("text-anchor", kAnchors[static_cast<std::size_t>(label.anchor)]);
     if (label.isVariable)
         attribute("font-style", "italic");
-    attribute("fill", hexOf(styleOf(label.role, 0, content_.theme).color));
+    attribute("fill", hexOf(styleOf(label.role, 0, drawing_.theme).color));
     text_.append(">").append(xmlText(label.text));
     if (!label.subscript.empty())
         part(label.subscript, kSubscriptDrop, kSubscriptSize);
@@ -196,52 +207,17 @@ void SvgText::part(std::string_view text, double drop, double size) {
     text_.append(">").append(xmlText(text)).append("</tspan>");
 }
 
-/// "Elevation: Control polygon, Curve, Points"
-std::string describe(const Figure& figure, SheetIndex sheet, const TextSource& texts) {
-    std::string text = texts.translate(captionOf(sheet));
-    std::string_view separator = ": ";
-    for (const Layer& layer : figure.layers) {
-        for (const LayerInfo& info : layersOf(sheet)) {
-            if (info.name == layer.name) {
-                text.append(separator).append(texts.translate(info.caption));
-                separator = ", ";
-            }
-        }
-    }
-    return text;
-}
-
 } // namespace
 
-std::string writeSvg(const SvgContent& content, const TextSource& texts) {
-    return SvgText(content, texts).take();
+std::string writeSvg(const Drawing& drawing, const TextSource& texts, const SvgOptions& options) {
+    return SvgText(drawing, texts, options).take();
 }
 
 std::string writeSheetSvg(const Document& document, SheetIndex sheet, const TextSource& texts,
-                          const SvgOptions& options) {
-    SvgContent content;
-    content.figure = figureOf(document.sheets[sheet], sheet);
-    content.page = pageOf(boxOf(content.figure), document.sheets[sheet].view.mmPerUnit);
-    content.title = document.title.empty() ? texts.translate(captionOf(sheet)) : document.title;
-    content.description = describe(content.figure, sheet, texts);
-    content.theme = options.theme;
-    if (options.holdsDocument) {
-        content.document = writeDocument(document, 0);
-        content.document.pop_back(); // one line of the file, without its end
-    }
-    return writeSvg(content, texts);
-}
-
-std::string writePlotsSvg(std::span<const Plot> plots, const TextSource& texts, Theme theme) {
-    const PlotSize size;
-    SvgContent content;
-    content.figure = plotFigure(plots, size);
-    content.page = plotPage(plots.size(), size);
-    content.theme = theme;
-    for (const Plot& plot : plots)
-        content.title.append(content.title.empty() ? "" : ", ").append(texts.translate(plot.caption));
-    content.description = content.title;
-    return writeSvg(content, texts);
+                          const DrawingOptions& drawing, SvgOptions options) {
+    options.document = writeDocument(document, 0);
+    options.document.pop_back(); // one line of the file, without its end
+    return writeSvg(drawingOf(document, sheet, texts, drawing), texts, options);
 }
 
 } // namespace kriva

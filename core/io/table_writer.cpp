@@ -1,6 +1,7 @@
 #include "core/io/table_writer.h"
 
 #include "core/figure/labels.h"
+#include "core/io/latex_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -85,22 +86,6 @@ void addRecord(std::string& text, const std::vector<std::string>& fields, char s
 void replaceAll(std::string& text, std::string_view from, std::string_view to) {
     for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
         text.replace(at, from.size(), to);
-}
-
-/// A text that stands outside of formulas.
-std::string latexText(const std::string& text) {
-    std::string escaped;
-    for (const char c : text) {
-        if (c == '\\')
-            escaped += "\\textbackslash{}";
-        else if (c == '~' || c == '^')
-            escaped.append("\\").append(1, c).append("{}");
-        else if (std::string_view("&%$#_{}").find(c) != std::string_view::npos)
-            escaped.append("\\").append(1, c);
-        else
-            escaped += c;
-    }
-    return escaped;
 }
 
 /// The fewest decimals that tell six significant digits.

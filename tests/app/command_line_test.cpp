@@ -28,11 +28,42 @@ TEST(CommandLine, understandsExportInAnyOrder) {
          {"export in.kriva -o out.svg --sheet elevation", "export -o out.svg --sheet=elevation in.kriva",
           "--sheet elevation export --output=out.svg in.kriva"}) {
         const ExportRequest request = std::get<ExportRequest>(parsed(line));
-        EXPECT_EQ(request.file, QStringLiteral("in.kriva"));
+        EXPECT_EQ(request.files, QStringList(QStringLiteral("in.kriva")));
         EXPECT_EQ(request.output, QStringLiteral("out.svg"));
         EXPECT_EQ(request.sheet, SheetIndex(0));
     }
     EXPECT_FALSE(std::get<ExportRequest>(parsed("export in.kriva -o out.SVG")).sheet);
+}
+
+TEST(CommandLine, knowsTheFormatByTheFileOrByItsName) {
+    const auto formatOf = [](const char* line) { return std::get<ExportRequest>(parsed(line)).options.format; };
+    EXPECT_EQ(formatOf("export a -o b.PDF"), ui::FigureFormat::pdf);
+    EXPECT_EQ(formatOf("export a -o b.png"), ui::FigureFormat::png);
+    EXPECT_EQ(formatOf("export a -o b.tex"), ui::FigureFormat::tikz);
+    EXPECT_EQ(formatOf("export a -o b.csv"), ui::FigureFormat::csv);
+    EXPECT_EQ(formatOf("export - -o - --format tex"), ui::FigureFormat::tikz);
+}
+
+TEST(CommandLine, understandsHowAFigureIsToLook) {
+    const ExportRequest request = std::get<ExportRequest>(
+        parsed("export a b -o {name}.svg --width 12cm --margin=0.5in --layers curve,labels --curve 2 --no-labels "
+               "--theme dark --decimals 3 --dpi 150 --transparent --fragment --inkscape-layers --no-document"));
+    const ui::FigureFileOptions& options = request.options;
+    EXPECT_EQ(request.files.size(), 2);
+    EXPECT_EQ(options.drawing.width, 120);
+    EXPECT_DOUBLE_EQ(options.drawing.margin, 12.7);
+    EXPECT_EQ(options.drawing.layers, (std::vector<std::string>{"curve", "labels"}));
+    EXPECT_EQ(options.drawing.curve, std::size_t(2));
+    EXPECT_FALSE(options.drawing.hasLabels);
+    EXPECT_EQ(options.drawing.theme, Theme::dark);
+    EXPECT_EQ(options.decimals, 3);
+    EXPECT_EQ(options.dpi, 150);
+    EXPECT_TRUE(options.isTransparent && options.hasInkscapeLayers && !options.holdsDocument);
+    EXPECT_EQ(options.tikz, TikzKind::fragment);
+    const ui::FigureFileOptions usual = std::get<ExportRequest>(parsed("export a -o b.svg")).options;
+    EXPECT_EQ(usual.drawing.width, std::nullopt);
+    EXPECT_EQ(usual.drawing.margin, kPageMargin);
+    EXPECT_TRUE(usual.holdsDocument && usual.drawing.hasLabels);
 }
 
 TEST(CommandLine, understandsReport) {
@@ -47,10 +78,30 @@ TEST(CommandLine, answersHelpAndVersionWhateverElseStandsThere) {
 }
 
 TEST(CommandLine, refusesWhatItDoesNotUnderstand) {
-    for (const char* line :
-         {"--foo", "-x", "export a.kriva", "export -o b.svg", "export a b -o c.svg", "export a -o b.txt", "export a -o",
-          "report", "report a b", "report a --format xml", "report a --sheet plane", "report a --language xx",
-          "report a -o b.svg", "export a -o b.svg --format json", "a.kriva --sheet spline", "--help=now"})
+    for (const char* line : {"--foo",
+                             "-x",
+                             "export a.kriva",
+                             "export -o b.svg",
+                             "export a b -o c.svg",
+                             "export a -o b.txt",
+                             "export a -o",
+                             "report",
+                             "report a b",
+                             "report a --format xml",
+                             "report a --sheet plane",
+                             "report a --language xx",
+                             "report a -o b.svg",
+                             "export a -o b.svg --format json",
+                             "export a -o -",
+                             "export a -o b.svg --width 12mm",
+                             "export a -o b.svg --width wide",
+                             "export a -o b.svg --width -5mm",
+                             "export a -o b.svg --curve -1",
+                             "export a -o b.svg --dpi 9",
+                             "export a -o b.svg --theme red",
+                             "report a --width 100mm",
+                             "a.kriva --sheet spline",
+                             "--help=now"})
         EXPECT_TRUE(isUsageError(line)) << line;
 }
 

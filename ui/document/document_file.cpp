@@ -6,7 +6,10 @@
 namespace kriva::ui {
 
 std::variant<Document, OpenError> loadDocument(const QString& path) {
-    const std::variant<QByteArray, ReadError> bytes = boundedRead(path);
+    return documentFrom(boundedRead(path));
+}
+
+std::variant<Document, OpenError> documentFrom(const std::variant<QByteArray, ReadError>& bytes) {
     if (const ReadError* error = std::get_if<ReadError>(&bytes))
         return *error;
     const QByteArray& text = std::get<QByteArray>(bytes);

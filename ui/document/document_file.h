@@ -13,6 +13,9 @@ using OpenError = std::variant<ReadError, FileError>;
 /// Reads a document from a `.kriva` file or from a figure of Kriva with its document inside.
 [[nodiscard]] std::variant<Document, OpenError> loadDocument(const QString& path);
 
+/// The same from what was read already.
+[[nodiscard]] std::variant<Document, OpenError> documentFrom(const std::variant<QByteArray, ReadError>& bytes);
+
 /// Writes the document; nothing on success.
 [[nodiscard]] std::optional<WriteError> saveDocument(const QString& path, const Document& document);
 

@@ -7,7 +7,7 @@
 #include "ui/panels/results_panel.h"
 #include "ui/panels/watched_panel.h"
 #include "ui/sheets/properties/properties_area.h"
-#include "ui/shell/export_figure.h"
+#include "ui/shell/export/figure_export.h"
 
 #include <QCoreApplication>
 

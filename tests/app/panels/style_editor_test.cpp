@@ -32,8 +32,7 @@ class StyleEditorTest : public test::PanelTest, public testing::WithParamInterfa
     }
     [[nodiscard]] CurveStyle style() { return styleOf(curve()); }
     [[nodiscard]] QString svg() {
-        return QString::fromStdString(
-            writeSheetSvg(document().value(), sheet_, textSource(), {.holdsDocument = false}));
+        return QString::fromStdString(writeSvg(drawingOf(document().value(), sheet_, textSource()), textSource()));
     }
     /// Of the curve's own path.
     [[nodiscard]] QString path() {

@@ -28,8 +28,11 @@ Document documentOf(std::vector<Points> polygons) {
     return document;
 }
 
-std::string svgOf(const Document& document, const SvgOptions& options = {}) {
-    return writeSheetSvg(document, 0, kTexts, options);
+std::string svgOf(const Document& document, const DrawingOptions& drawing = {}) {
+    return writeSheetSvg(document, 0, kTexts, drawing);
+}
+std::string svgWithoutDocument(const Document& document, const SvgOptions& options = {}) {
+    return writeSvg(drawingOf(document, 0, kTexts), kTexts, options);
 }
 
 pugi::xml_document parsed(const std::string& svg) {
@@ -68,7 +71,7 @@ TEST(SvgWriter, givesNoIdTwice) {
 }
 
 TEST(SvgWriter, usesPresentationAttributesOnly) {
-    const std::string svg = svgOf(documentOf({kArch}), {Theme::light, false});
+    const std::string svg = svgWithoutDocument(documentOf({kArch}));
     for (const char* word : {" style=", "class", "clip", "marker", "transform", "<defs", "<use"})
         EXPECT_THAT(svg, Not(HasSubstr(word)));
 }
@@ -85,7 +88,21 @@ TEST(SvgWriter, setsSubscriptsAsLoweredParts) {
 
 TEST(SvgWriter, leavesTheDocumentOutWhereAsked) {
     EXPECT_THAT(svgOf(documentOf({kArch})), HasSubstr("<metadata>"));
-    EXPECT_THAT(svgOf(documentOf({kArch}), {Theme::light, false}), Not(HasSubstr("<metadata>")));
+    EXPECT_THAT(svgWithoutDocument(documentOf({kArch})), Not(HasSubstr("<metadata>")));
+}
+
+TEST(SvgWriter, roundsCoordinatesAndNeverTheSizeOfThePage) {
+    const std::string svg = svgWithoutDocument(documentOf({{{0, 0}, {1, 2}, {3, 1}}}), {.decimals = 1});
+    EXPECT_THAT(svg, HasSubstr(R"(width="120mm" height="84mm")"));
+    EXPECT_THAT(svg, HasSubstr(R"(d="M 6,78 Q 42,6 114,42")"));
+}
+
+TEST(SvgWriter, makesLayersForInkscapeOnlyWhereAsked) {
+    const std::string svg = svgWithoutDocument(documentOf({kArch}), {.hasInkscapeLayers = true});
+    const pugi::xml_node layer = parsed(svg).document_element().find_child_by_attribute("g", "id", "layer-curve");
+    EXPECT_STREQ(layer.attribute("inkscape:groupmode").value(), "layer");
+    EXPECT_STREQ(layer.attribute("inkscape:label").value(), "Word");
+    EXPECT_THAT(svgWithoutDocument(documentOf({kArch})), Not(HasSubstr("inkscape")));
 }
 
 TEST(SvgWriter, keepsHostileTitlesHarmless) {
@@ -120,7 +137,7 @@ TEST(SvgWriter, isReadByOtherPrograms) {
     document.title = "<&>\"' \U0001F642 ]]> \x01 \u0085";
     for (const Theme theme : {Theme::light, Theme::dark})
         for (const char* program : {"xmllint", "rsvg-convert"})
-            EXPECT_TRUE(accepts(program, svgOf(document, {theme, true})).value_or(true)) << program;
+            EXPECT_TRUE(accepts(program, svgOf(document, {.theme = theme})).value_or(true)) << program;
 }
 
 /// Every document of the tests' data, with curves of all sheets.

@@ -24,6 +24,11 @@ void Actions::makeFile() {
     saveAs = make("saveAs", QT_TRANSLATE_NOOP("Actions", "Save &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
     exportFigure = make("exportFigure", QT_TRANSLATE_NOOP("Actions", "&Export figure…"),
                         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), IconName::Export);
+    exportAgain =
+        make("exportAgain", QT_TRANSLATE_NOOP("Actions", "Export a&gain"), QKeySequence(Qt::CTRL | Qt::Key_E));
+    copyFigure = make("copyFigure", QT_TRANSLATE_NOOP("Actions", "Copy &figure"),
+                      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C));
+    copyTikz = make("copyTikz", QT_TRANSLATE_NOOP("Actions", "Copy as &TikZ"));
     quit = make("quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q));
     quit->setMenuRole(QAction::QuitRole);
 }

@@ -23,6 +23,9 @@ class Actions : public QObject {
     QAction* save;
     QAction* saveAs;
     QAction* exportFigure;
+    QAction* exportAgain;
+    QAction* copyFigure;
+    QAction* copyTikz;
     QAction* quit;
     // Edit
     QAction* undo;

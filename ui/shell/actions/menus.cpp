@@ -43,7 +43,7 @@ void Menus::fillFile(const Actions& actions) {
     file->addSeparator();
     file->addActions({actions.save, actions.saveAs});
     file->addSeparator();
-    file->addAction(actions.exportFigure);
+    file->addActions({actions.exportFigure, actions.exportAgain, actions.copyFigure, actions.copyTikz});
     file->addSeparator();
     file->addAction(actions.quit);
 }

@@ -4,7 +4,6 @@
 #include "ui/shell/actions/actions.h"
 #include "ui/shell/actions/menus.h"
 #include "ui/shell/document_session.h"
-#include "ui/shell/export_figure.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/preferences.h"
 
@@ -17,7 +16,8 @@ TabActions::TabActions(MainWindow& window, const Actions& actions, Menus& menus,
     , window_(window)
     , actions_(actions)
     , menus_(menus)
-    , preferences_(preferences) {
+    , preferences_(preferences)
+    , export_(&window) {
     connectOutlets();
     connectCurve();
     connectCanvas();
@@ -43,8 +43,16 @@ SheetEditor& TabActions::editor() const {
 void TabActions::connectOutlets() {
     connect(actions_.exportFigure, &QAction::triggered, this, [this] {
         window_.document().endGesture();
-        exportFigure(editor(), window_.session().name(), &window_);
+        export_.ask(editor(), window_.session().name());
     });
+    connect(actions_.exportAgain, &QAction::triggered, this, [this] {
+        window_.document().endGesture();
+        export_.again(editor(), window_.session().name());
+    });
+    connect(actions_.copyFigure, &QAction::triggered, this, [this] { export_.copy(editor()); });
+    connect(actions_.copyTikz, &QAction::triggered, this, [this] { export_.copyTikz(editor()); });
+    connect(&export_, &FigureExport::told, this, &TabActions::told);
+    connect(&window_.document(), &OpenDocument::replaced, &export_, &FigureExport::forgetFiles);
     connect(actions_.cut, &QAction::triggered, this, [this] { cutToClipboard(editor()); });
     connect(actions_.copy, &QAction::triggered, this, [this] { copyToClipboard(editor()); });
     connect(actions_.duplicate, &QAction::triggered, this, [this] { duplicateSelected(editor()); });

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/shell/export/figure_export.h"
+
 #include <QObject>
 
 namespace kriva::ui {
@@ -38,6 +40,7 @@ class TabActions : public QObject {
     const Actions& actions_;
     Menus& menus_;
     Preferences& preferences_;
+    FigureExport export_;
 };
 
 } // namespace kriva::ui

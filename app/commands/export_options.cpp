@@ -1,0 +1,140 @@
+#include "app/commands/export_options.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <array>
+#include <cmath>
+
+namespace kriva::app {
+
+using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr double kMostMillimetres = 10'000;
+constexpr int kLeastDpi = 10;
+constexpr int kMostDpi = 4'800;
+constexpr int kMostDecimals = 12;
+constexpr int kMostCurve = 999'999;
+
+struct LengthUnit {
+    QLatin1String name;
+    double millimetres;
+};
+constexpr std::array kLengthUnits{LengthUnit{QLatin1String("mm"), 1}, LengthUnit{QLatin1String("cm"), 10},
+                                  LengthUnit{QLatin1String("in"), 25.4}, LengthUnit{QLatin1String("pt"), 25.4 / 72}};
+
+/// "120mm", "4.5in"; millimetres where no unit is given.
+std::optional<double> lengthOf(QString text) {
+    double unit = 1;
+    for (const LengthUnit& known : kLengthUnits) {
+        if (!text.endsWith(known.name))
+            continue;
+        text.chop(known.name.size());
+        unit = known.millimetres;
+        break;
+    }
+    bool isNumber = false;
+    const double length = unit * QLocale::c().toDouble(text.trimmed(), &isNumber);
+    return isNumber && length >= 0 && length <= kMostMillimetres ? std::optional(length) : std::nullopt;
+}
+
+/// Takes the options one by one; the first that is wrong is told.
+class ExportOptionReader {
+    Q_DECLARE_TR_FUNCTIONS(CommandLine)
+  public:
+    explicit ExportOptionReader(const QMap<QString, QString>& options)
+        : options_(options) {}
+
+    [[nodiscard]] std::variant<ui::FigureFileOptions, QString> read() {
+        ui::FigureFileOptions result;
+        readFormat(result);
+        readPage(result.drawing);
+        readContent(result.drawing);
+        result.holdsDocument = !has(u"no-document"_s);
+        result.hasInkscapeLayers = has(u"inkscape-layers"_s);
+        result.isTransparent = has(u"transparent"_s);
+        result.tikz = has(u"fragment"_s) ? TikzKind::fragment : TikzKind::standalone;
+        result.decimals = number(u"decimals"_s, 0, kMostDecimals);
+        result.dpi = number(u"dpi"_s, kLeastDpi, kMostDpi).value_or(ui::kUsualDpi);
+        if (!fault_.isEmpty())
+            return fault_;
+        return result;
+    }
+
+  private:
+    [[nodiscard]] bool has(const QString& name) const { return options_.contains(name); }
+    void refuse(const QString& sentence) {
+        if (fault_.isEmpty())
+            fault_ = sentence;
+    }
+    void readFormat(ui::FigureFileOptions& result) {
+        const QString output = options_.value(u"output"_s);
+        const QString named = options_.value(u"format"_s);
+        const std::optional<ui::FigureFormat> format =
+            ui::figureFormatOf(has(u"format"_s) ? QString(u'.' + named) : output);
+        if (format)
+            result.format = *format;
+        else if (has(u"format"_s))
+            refuse(tr("there is no format %1").arg(named));
+        else
+            refuse(tr("%1: figures are written as .svg, .pdf, .png, .tex or .csv").arg(output));
+    }
+    void readPage(DrawingOptions& drawing) {
+        if (const std::optional<double> margin = length(u"margin"_s))
+            drawing.margin = *margin;
+        drawing.width = length(u"width"_s);
+        if (drawing.width && *drawing.width <= 2 * drawing.margin)
+            refuse(tr("--width must be more than both margins, which are %1 mm").arg(2 * drawing.margin));
+    }
+    void readContent(DrawingOptions& drawing) {
+        if (const std::optional<int> curve = number(u"curve"_s, 0, kMostCurve))
+            drawing.curve = static_cast<std::size_t>(*curve);
+        if (has(u"layers"_s)) {
+            drawing.layers.emplace();
+            for (const QString& layer : options_.value(u"layers"_s).split(u',', Qt::SkipEmptyParts))
+                drawing.layers->push_back(layer.trimmed().toStdString());
+        }
+        drawing.hasLabels = !has(u"no-labels"_s);
+        const QString theme = options_.value(u"theme"_s, u"light"_s);
+        if (theme != u"light" && theme != u"dark")
+            refuse(tr("there is no theme %1").arg(theme));
+        drawing.theme = theme == u"dark" ? Theme::dark : Theme::light;
+    }
+    std::optional<double> length(const QString& name) {
+        if (!has(name))
+            return {};
+        const std::optional<double> found = lengthOf(options_.value(name));
+        if (!found)
+            refuse(tr("--%1 is a length such as 120mm, at most %2 mm").arg(name).arg(kMostMillimetres));
+        return found;
+    }
+    std::optional<int> number(const QString& name, int low, int high) {
+        if (!has(name))
+            return {};
+        bool isNumber = false;
+        const int found = options_.value(name).toInt(&isNumber);
+        if (!isNumber || found < low || found > high) {
+            refuse(tr("--%1 is a whole number from %2 to %3").arg(name).arg(low).arg(high));
+            return {};
+        }
+        return found;
+    }
+
+    const QMap<QString, QString>& options_;
+    QString fault_;
+};
+
+} // namespace
+
+ExportOptionNames exportOptionNames() {
+    return {{u"curve"_s, u"layers"_s, u"width"_s, u"margin"_s, u"dpi"_s, u"decimals"_s, u"theme"_s},
+            {u"no-labels"_s, u"no-document"_s, u"inkscape-layers"_s, u"transparent"_s, u"fragment"_s}};
+}
+
+std::variant<ui::FigureFileOptions, QString> exportOptions(const QMap<QString, QString>& options) {
+    return ExportOptionReader(options).read();
+}
+
+} // namespace kriva::app

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/document/document.h"
+
+namespace kriva {
+
+/// The points of the shown curves of a sheet, or of one curve, as comma-separated values for programs: `curve` (its
+/// index in the sheet), `point`, `x` and `y`, each number as short as brings it back bit for bit.
+[[nodiscard]] std::string writePointsCsv(const Sheet& sheet, std::optional<std::size_t> curve = {});
+
+} // namespace kriva

@@ -1,0 +1,120 @@
+#include "tests/support/panel_test.h"
+#include "ui/figures/caption_text.h"
+#include "ui/shell/export/export_dialog.h"
+
+#include <QClipboard>
+#include <QMimeData>
+
+namespace kriva::ui {
+namespace {
+
+class ExportDialogTest : public test::PanelTest {
+  protected:
+    ExportDialogTest()
+        : PanelTest(2)
+        , dialog_(document().value(), sheet_, {}) {
+        dialog_.show();
+    }
+    [[nodiscard]] const Drawing& shown() { return dialog_.findChild<FigurePreview*>()->drawing(); }
+    void chooseFormat(FigureFormat format) {
+        auto& box = test::named<QComboBox>(dialog_, "Format");
+        box.setCurrentIndex(box.findData(static_cast<int>(format)));
+    }
+    [[nodiscard]] bool offers(const char* name) {
+        for (const QWidget* widget : dialog_.findChildren<QWidget*>())
+            if (widget->accessibleName() == QLatin1String(name))
+                return widget->isVisibleTo(&dialog_);
+        return false;
+    }
+
+    ExportDialog dialog_;
+};
+
+TEST_F(ExportDialogTest, showsTheFigureAsItsFileWillBe) {
+    const Drawing usual = drawingOf(document().value(), sheet_, textSource());
+    EXPECT_EQ(shown().figure, usual.figure);
+    EXPECT_EQ(shown().page.width, usual.page.width);
+    test::click(test::saying<QCheckBox>(dialog_, "&Own width"));
+    test::type(test::named<NumberField>(dialog_, "Width (mm)"), "80");
+    test::type(test::named<NumberField>(dialog_, "Margin (mm)"), "3");
+    EXPECT_EQ(shown().page.width, 80);
+    EXPECT_EQ(shown().page.margin, 3);
+    test::click(test::saying<QCheckBox>(dialog_, "Labe&ls"));
+    for (const Layer& layer : shown().figure.layers)
+        EXPECT_TRUE(layer.labels.empty());
+    test::named<QComboBox>(dialog_, "Colours").setCurrentIndex(1);
+    EXPECT_EQ(shown().theme, Theme::dark);
+    const FigureFileOptions options = dialog_.options();
+    EXPECT_EQ(options.drawing.width, 80);
+    EXPECT_EQ(options.drawing.theme, Theme::dark);
+    EXPECT_FALSE(options.drawing.hasLabels);
+}
+
+TEST_F(ExportDialogTest, hasTheLayersOfTheSheet) {
+    auto& layers = test::named<QListWidget>(dialog_, "Layers");
+    ASSERT_EQ(layers.count(), static_cast<int>(layersOf(sheet_).size()));
+    for (int i = 0; i < layers.count(); ++i)
+        layers.item(i)->setCheckState(layersOf(sheet_)[static_cast<std::size_t>(i)].name == "curve" ? Qt::Checked
+                                                                                                    : Qt::Unchecked);
+    ASSERT_EQ(shown().figure.layers.size(), 1U);
+    EXPECT_EQ(shown().figure.layers[0].name, "curve");
+    EXPECT_EQ(dialog_.options().drawing.layers, (std::vector<std::string>{"curve"}));
+}
+
+TEST_F(ExportDialogTest, offersWhatTheFormatHas) {
+    EXPECT_TRUE(offers("Decimals"));
+    EXPECT_FALSE(offers("Dots per inch"));
+    chooseFormat(FigureFormat::png);
+    EXPECT_FALSE(offers("Decimals"));
+    EXPECT_TRUE(offers("Dots per inch"));
+    test::click(test::saying<QCheckBox>(dialog_, "&Transparent"));
+    EXPECT_FALSE(shown().hasPaper);
+    chooseFormat(FigureFormat::pdf);
+    EXPECT_TRUE(shown().hasPaper);
+    chooseFormat(FigureFormat::csv);
+    EXPECT_FALSE(offers("Width (mm)"));
+    EXPECT_EQ(dialog_.options().format, FigureFormat::csv);
+}
+
+TEST_F(ExportDialogTest, beginsWithWhatWasChosenTheLastTime) {
+    FigureFileOptions options;
+    options.format = FigureFormat::png;
+    options.drawing = {.width = 77, .margin = 2, .layers = {{"curve", "knots"}}, .hasLabels = false};
+    options.dpi = 150;
+    options.isTransparent = true;
+    const ExportDialog again(document().value(), sheet_, options);
+    const FigureFileOptions kept = again.options();
+    EXPECT_EQ(kept.format, FigureFormat::png);
+    EXPECT_EQ(kept.drawing.width, 77);
+    EXPECT_EQ(kept.drawing.margin, 2);
+    EXPECT_EQ(kept.drawing.layers, options.drawing.layers);
+    EXPECT_FALSE(kept.drawing.hasLabels);
+    EXPECT_EQ(kept.dpi, 150);
+    EXPECT_TRUE(kept.isTransparent);
+}
+
+class FigureExportTest : public test::PanelTest {
+  protected:
+    FigureExportTest()
+        : PanelTest(0) {}
+    void trigger(const char* action) { shell.window.findChild<QAction*>(QLatin1String(action))->trigger(); }
+};
+
+TEST_F(FigureExportTest, copiesThreeFormatsAtOnce) {
+    trigger("copyFigure");
+    const QMimeData& clip = *QGuiApplication::clipboard()->mimeData();
+    EXPECT_TRUE(clip.data(QStringLiteral("image/svg+xml")).contains("<svg"));
+    EXPECT_TRUE(clip.data(QStringLiteral("application/pdf")).startsWith("%PDF"));
+    EXPECT_TRUE(clip.data(QStringLiteral("image/png")).startsWith("\x89PNG"));
+    EXPECT_EQ(steps(), QStringList());
+}
+
+TEST_F(FigureExportTest, copiesTikzToBePutIntoADocument) {
+    trigger("copyTikz");
+    const QString text = QGuiApplication::clipboard()->text();
+    EXPECT_TRUE(text.contains(QStringLiteral("\\begin{tikzpicture}")));
+    EXPECT_FALSE(text.contains(QStringLiteral("\\documentclass")));
+}
+
+} // namespace
+} // namespace kriva::ui

@@ -1,0 +1,128 @@
+#include "core/bezier/evaluate.h"
+#include "core/bezier/nearest.h"
+#include "ui/figures/caption_text.h"
+#include "ui/figures/picture_files.h"
+
+#include <gtest/gtest.h>
+#include <QImage>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+namespace kriva::ui {
+namespace {
+
+const Points kLoop{{0, 0}, {9, 7}, {-4, 7}, {5, 0}};
+const Points kOfDegreeSix{{0, 0}, {0, 8}, {9, 9}, {2, -6}, {5, 9}, {9, 3}, {9, 0}};
+
+Drawing drawingOfCurve(const Points& curve) {
+    Drawing drawing;
+    drawing.figure.layers = {{"curve", {{singleCurve(curve), Role::curve}}}};
+    drawing.page = pageOf(boxOf(drawing.figure));
+    return drawing;
+}
+
+/// How far the ink of a picture lies from the curve beyond half its pen, and the curve from ink, in pixels.
+struct Distances {
+    double ofInk = 0;
+    double ofCurve = 0;
+};
+Distances distances(const QImage& picture, const Drawing& drawing, const Points& curve, double dpi) {
+    constexpr int kWhite = 250;
+    constexpr int kSamples = 4000;
+    const double pixel = 25.4 / dpi;
+    const double halfPen = styleOf(Role::curve, 0, Theme::light).width * kMillimetresPerPoint / 2 / pixel;
+    Points inPixels;
+    for (const Point p : curve) {
+        const Point at = onPage(drawing.page, p);
+        inPixels.push_back({at.x / pixel, at.y / pixel});
+    }
+    Distances found;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            if (qGray(picture.pixel(x, y)) < kWhite) {
+                const Point centre{x + 0.5, y + 0.5};
+                found.ofInk = std::max(found.ofInk, nearest(inPixels, centre).distance - halfPen);
+            }
+    for (int i = 0; i <= kSamples; ++i) {
+        const Point at = evaluate(inPixels, static_cast<double>(i) / kSamples);
+        if (qGray(picture.pixel(static_cast<int>(at.x), static_cast<int>(at.y))) >= kWhite)
+            found.ofCurve = std::max(found.ofCurve, 1.0);
+    }
+    return found;
+}
+
+TEST(Png, liesWithinAPixelOfTheExactCurve) {
+    constexpr int kDpi = 100; // pixels are larger against the curve's errors at 300, and there are more of them
+    for (const Points& curve : {kLoop, kOfDegreeSix}) {
+        const Drawing drawing = drawingOfCurve(curve);
+        const Distances found =
+            distances(QImage::fromData(writePng(drawing, textSource(), kDpi)), drawing, curve, kDpi);
+        EXPECT_LE(found.ofInk, 1);
+        EXPECT_EQ(found.ofCurve, 0);
+    }
+}
+
+TEST(Png, hasTheSizeOfThePageAtItsResolution) {
+    Drawing drawing = drawingOfCurve(kLoop);
+    const QImage picture = QImage::fromData(writePng(drawing, textSource(), 300));
+    EXPECT_EQ(picture.size(), pixelSize(drawing.page, 300));
+    EXPECT_EQ(picture.dotsPerMeterX(), 11'811);
+    EXPECT_EQ(picture.pixelColor(0, 0), QColor(Qt::white));
+    drawing.hasPaper = false;
+    EXPECT_EQ(QImage::fromData(writePng(drawing, textSource(), 300)).pixelColor(0, 0).alpha(), 0);
+}
+
+TEST(Png, drawsLongCurvesWithoutSeams) {
+    Points points;
+    for (int i = 0; i <= 1000; ++i)
+        points.push_back({i / 10.0, 5 * std::sin(i / 30.0)});
+    Drawing drawing;
+    drawing.figure.layers = {{"curve", {{polyline(points), Role::curve}}}};
+    drawing.page = pageOf(boxOf(drawing.figure));
+    const QImage picture = QImage::fromData(writePng(drawing, textSource(), 150));
+    for (const Point p : points) {
+        const Point at = onPage(drawing.page, p);
+        EXPECT_LT(qGray(picture.pixel(static_cast<int>(at.x / 25.4 * 150), static_cast<int>(at.y / 25.4 * 150))), 150);
+    }
+}
+
+/// What a program of the system prints about the file; nothing where it is not installed or does not accept it.
+std::optional<QString> said(const char* program, const QStringList& arguments) {
+    if (QStandardPaths::findExecutable(QLatin1String(program)).isEmpty())
+        return {};
+    QProcess process;
+    process.start(QLatin1String(program), arguments);
+    process.waitForFinished();
+    EXPECT_EQ(process.exitCode(), 0) << program;
+    return QString::fromUtf8(process.readAllStandardOutput());
+}
+
+TEST(Pdf, isSoundWithItsFontsInsideAndItsWordsReadable) {
+    Drawing drawing = drawingOfCurve(kLoop);
+    Layer labels{"labels"};
+    labels.labels = {{{0, 0}, Caption::none, "Крива", ""}, {{5, 0}, Caption::none, "krivulja čšž", ""}};
+    drawing.figure.layers.push_back(labels);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.pdf"));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(writePdf(drawing, textSource()));
+    file.close();
+    if (const auto check = said("qpdf", {QStringLiteral("--check"), path})) {
+        EXPECT_TRUE(check->contains(QStringLiteral("No syntax or stream encoding errors"))) << check->toStdString();
+    }
+    if (const auto words = said("pdftotext", {path, QStringLiteral("-")})) {
+        EXPECT_TRUE(words->contains(QStringLiteral("Крива"))) << words->toStdString();
+        EXPECT_TRUE(words->contains(QStringLiteral("krivulja čšž"))) << words->toStdString();
+    }
+    if (const auto fonts = said("pdffonts", {path})) {
+        const QStringList lines = fonts->split(u'\n', Qt::SkipEmptyParts).mid(2);
+        EXPECT_FALSE(lines.isEmpty());
+        for (const QString& line : lines)
+            EXPECT_EQ(line.simplified().section(u' ', -5, -5), QStringLiteral("yes")) << line.toStdString();
+    }
+}
+
+} // namespace
+} // namespace kriva::ui

@@ -1,0 +1,107 @@
+#include "ui/figures/drawing_painter.h"
+
+#include "core/bezier/cubic_pieces.h"
+#include "core/figure/label_placement.h"
+#include "core/io/svg_path.h"
+#include "ui/figures/figure_ink.h"
+
+#include <QPaintEngine>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <limits>
+
+namespace kriva::ui {
+namespace {
+
+/// A raster strokes a path as one shape, whose cost grows faster than its length: it gets so many pieces at once. Round
+/// caps hide the seams.
+constexpr int kPiecesOfRaster = 64;
+
+class DrawingPainter {
+  public:
+    DrawingPainter(QPainter& painter, const Drawing& drawing, double unit)
+        : painter_(painter)
+        , drawing_(drawing)
+        , unit_(unit)
+        , fonts_(labelFonts(pointSize()))
+        , isRaster_(painter.paintEngine()->type() == QPaintEngine::Raster) {}
+
+    void layer(const Layer& layer, const std::vector<PlacedLabel>& labels) {
+        for (const Stroke& s : layer.strokes)
+            stroke(s);
+        painter_.setOpacity(1);
+        for (const Marks& marks : layer.marks) {
+            const RoleStyle style = styleOf(marks, drawing_.theme);
+            for (const Point p : marks.at)
+                paintMark(painter_, style, place(p), pointSize());
+        }
+        for (const PlacedLabel& label : labels) {
+            painter_.setPen(toQt(styleOf(label.role, 0, drawing_.theme).color));
+            paintLabel(painter_, label, {unit_ * label.baseline.x, unit_ * label.baseline.y}, fonts_);
+        }
+    }
+
+  private:
+    [[nodiscard]] double pointSize() const { return unit_ * kMillimetresPerPoint; }
+    [[nodiscard]] QPointF onPainter(Point ofPage) const { return {unit_ * ofPage.x, unit_ * ofPage.y}; }
+    [[nodiscard]] QPointF place(Point p) const { return onPainter(onPage(drawing_.page, p)); }
+
+    void stroke(const Stroke& stroke) {
+        const RoleStyle style = styleOf(stroke, drawing_.theme);
+        QPen pen = penOf(style, pointSize());
+        pen.setJoinStyle(Qt::RoundJoin);
+        pen.setCapStyle(style.dashes.empty() ? Qt::RoundCap : Qt::FlatCap);
+        painter_.setOpacity(stroke.strength);
+        const bool mayBeCut = isRaster_ && style.dashes.empty() && stroke.strength == 1;
+        const int most = mayBeCut ? kPiecesOfRaster : std::numeric_limits<int>::max();
+        QPainterPath path;
+        int pieces = 0;
+        forEachPiece(stroke.path, [&](std::span<const Point> piece) {
+            if (pieces == most) {
+                painter_.strokePath(path, pen);
+                path = QPainterPath();
+                pieces = 0;
+            }
+            if (pieces++ == 0)
+                path.moveTo(place(piece.front()));
+            add(path, piece);
+        });
+        if (stroke.path.isClosed && pieces == static_cast<int>(stroke.path.degrees.size()))
+            path.closeSubpath();
+        painter_.strokePath(path, pen);
+    }
+    void add(QPainterPath& path, std::span<const Point> piece) const {
+        if (piece.size() == 2)
+            return path.lineTo(place(piece[1]));
+        if (piece.size() == 3)
+            return path.quadTo(place(piece[1]), place(piece[2]));
+        if (piece.size() == 4)
+            return path.cubicTo(place(piece[1]), place(piece[2]), place(piece[3]));
+        Points onThePage;
+        for (const Point p : piece)
+            onThePage.push_back(onPage(drawing_.page, p));
+        for (const Cubic& cubic : cubicPieces(onThePage, {kCubicTolerance}))
+            path.cubicTo(onPainter(cubic[1]), onPainter(cubic[2]), onPainter(cubic[3]));
+    }
+
+    QPainter& painter_;
+    const Drawing& drawing_;
+    double unit_;
+    LabelFonts fonts_;
+    bool isRaster_;
+};
+
+} // namespace
+
+void paintDrawing(QPainter& painter, const Drawing& drawing, const TextSource& texts, double unit) {
+    if (drawing.hasPaper)
+        painter.fillRect(QRectF(0, 0, unit * drawing.page.width, unit * drawing.page.height),
+                         toQt(paperColor(drawing.theme)));
+    DrawingPainter on(painter, drawing, unit);
+    const auto labels = placedLabels(drawing.figure, drawing.page, texts);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        on.layer(drawing.figure.layers[i], labels[i]);
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,79 @@
+#include "ui/figures/picture_files.h"
+
+#include "ui/figures/drawing_painter.h"
+
+#include <QBuffer>
+#include <QDateTime>
+#include <QImage>
+#include <QPainter>
+#include <QPdfWriter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kriva::ui {
+namespace {
+
+constexpr double kMillimetresPerInch = 25.4;
+constexpr double kInchesPerMetre = 1 / 0.0254;
+constexpr int kPdfResolution = 7200; // dots per inch, what Qt counts a page in: 0.0035 mm
+
+/// Puts the time that SOURCE_DATE_EPOCH gives in place of the present one, which is as long.
+void setDate(QByteArray& pdf) {
+    bool isGiven = false;
+    const qint64 seconds = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&isGiven);
+    const QByteArray key = "/CreationDate (D:";
+    const qsizetype at = pdf.indexOf(key);
+    if (!isGiven || at < 0)
+        return;
+    const qsizetype start = at + key.size();
+    const qsizetype length = pdf.indexOf(')', start) - start;
+    const QString given = QDateTime::fromSecsSinceEpoch(seconds, Qt::UTC).toString(QStringLiteral("yyyyMMddHHmmss"));
+    const QByteArray zone = length == given.size() + 1 ? "Z" : "+00'00'"; // whichever Qt wrote
+    pdf.replace(start, length, given.toLatin1() + zone);
+}
+
+} // namespace
+
+QSize pixelSize(const Page& page, int dpi) {
+    const auto pixels = [dpi](double millimetres) {
+        return std::max(1, static_cast<int>(std::lround(millimetres / kMillimetresPerInch * dpi)));
+    };
+    return {pixels(page.width), pixels(page.height)};
+}
+
+QByteArray writePng(const Drawing& drawing, const TextSource& texts, int dpi) {
+    QImage image(pixelSize(drawing.page, dpi), QImage::Format_ARGB32_Premultiplied);
+    image.setDotsPerMeterX(qRound(dpi * kInchesPerMetre));
+    image.setDotsPerMeterY(image.dotsPerMeterX());
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+    paintDrawing(painter, drawing, texts, dpi / kMillimetresPerInch);
+    painter.end();
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return bytes;
+}
+
+QByteArray writePdf(const Drawing& drawing, const TextSource& texts) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
+    writer.setCreator(QStringLiteral("Kriva"));
+    writer.setTitle(QString::fromStdString(drawing.title));
+    writer.setResolution(kPdfResolution);
+    writer.setPageMargins({});
+    writer.setPageSize(QPageSize(QSizeF(drawing.page.width, drawing.page.height), QPageSize::Millimeter, QString(),
+                                 QPageSize::ExactMatch));
+    QPainter painter(&writer);
+    paintDrawing(painter, drawing, texts, kPdfResolution / kMillimetresPerInch);
+    painter.end();
+    setDate(bytes);
+    return bytes;
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,228 @@
+#include "ui/shell/export/export_dialog.h"
+
+#include "ui/figures/caption_text.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace kriva::ui {
+namespace {
+
+constexpr std::array kFormatsInOrder{FigureFormat::svg, FigureFormat::pdf, FigureFormat::png, FigureFormat::tikz,
+                                     FigureFormat::csv};
+constexpr double kLeastWidth = 5;
+constexpr double kMostWidth = 2000;
+constexpr double kMostMargin = 100;
+constexpr double kMostDecimals = 12;
+constexpr double kUsualDecimals = 3;
+constexpr double kLeastDpi = 10;
+constexpr double kMostDpi = 2400;
+
+} // namespace
+
+ExportDialog::ExportDialog(Document document, SheetIndex sheet, const FigureFileOptions& options, QWidget* parent)
+    : QDialog(parent)
+    , document_(std::move(document))
+    , sheet_(sheet)
+    , preview_(new FigurePreview(this))
+    , form_(new QFormLayout)
+    , format_(new QComboBox(this))
+    , hasOwnWidth_(new QCheckBox(this))
+    , width_(new NumberField(this))
+    , margin_(new NumberField(this))
+    , size_(new QLabel(this))
+    , theme_(new QComboBox(this))
+    , hasLabels_(new QCheckBox(this))
+    , layers_(new QListWidget(this))
+    , holdsDocument_(new QCheckBox(this))
+    , hasInkscapeLayers_(new QCheckBox(this))
+    , isRounded_(new QCheckBox(this))
+    , decimals_(new NumberField(this))
+    , dpi_(new NumberField(this))
+    , isTransparent_(new QCheckBox(this))
+    , isFragment_(new QCheckBox(this))
+    , buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this)) {
+    for (const FigureFormat format : kFormatsInOrder)
+        format_->addItem(QString(), static_cast<int>(format));
+    format_->setCurrentIndex(format_->findData(static_cast<int>(options.format)));
+    theme_->addItems({QString(), QString()});
+    theme_->setCurrentIndex(options.drawing.theme == Theme::dark ? 1 : 0);
+    margin_->setRange({0, kMostMargin});
+    margin_->setValue(options.drawing.margin);
+    width_->setRange({kLeastWidth, kMostWidth});
+    hasOwnWidth_->setChecked(options.drawing.width.has_value());
+    hasLabels_->setChecked(options.drawing.hasLabels);
+    holdsDocument_->setChecked(options.holdsDocument);
+    hasInkscapeLayers_->setChecked(options.hasInkscapeLayers);
+    isRounded_->setChecked(options.decimals.has_value());
+    decimals_->setRange({0, kMostDecimals, false, true});
+    decimals_->setValue(options.decimals.value_or(kUsualDecimals));
+    dpi_->setRange({kLeastDpi, kMostDpi, false, true});
+    dpi_->setValue(options.dpi);
+    isTransparent_->setChecked(options.isTransparent);
+    isFragment_->setChecked(options.tikz == TikzKind::fragment);
+    fillLayers(options.drawing);
+    width_->setValue(
+        options.drawing.width.value_or(drawingOf(document_, sheet_, textSource(), options.drawing).page.width));
+
+    for (QWidget* field : std::initializer_list<QWidget*>{format_, hasOwnWidth_, width_, margin_, size_, theme_,
+                                                          hasLabels_, layers_, holdsDocument_, hasInkscapeLayers_,
+                                                          isRounded_, decimals_, dpi_, isTransparent_, isFragment_})
+        addRow(field);
+    auto* fields = new QVBoxLayout;
+    fields->addLayout(form_);
+    fields->addStretch(1);
+    auto* both = new QHBoxLayout;
+    both->addWidget(preview_, 1);
+    both->addLayout(fields);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(both, 1);
+    layout->addWidget(buttons_);
+    connectFields();
+    retranslateUi();
+    showFormat();
+}
+
+void ExportDialog::addRow(QWidget* field) {
+    if (qobject_cast<QCheckBox*>(field))
+        return form_->addRow(field);
+    auto* label = new QLabel(this);
+    label->setBuddy(field);
+    form_->addRow(label, field);
+}
+
+void ExportDialog::fillLayers(const DrawingOptions& drawing) {
+    const Sheet& sheet = document_.sheets[sheet_];
+    for (const LayerInfo& layer : layersOf(sheet_)) {
+        auto* item = new QListWidgetItem(layers_);
+        const bool isChosen = drawing.layers ? std::ranges::find(*drawing.layers, layer.name) != drawing.layers->end()
+                                             : isShown(layer, sheet.view);
+        item->setCheckState(isChosen ? Qt::Checked : Qt::Unchecked);
+    }
+    layers_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+}
+
+void ExportDialog::connectFields() {
+    connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::showFormat);
+    connect(theme_, &QComboBox::currentIndexChanged, this, &ExportDialog::showDrawing);
+    connect(layers_, &QListWidget::itemChanged, this, &ExportDialog::showDrawing);
+    for (QCheckBox* box : {hasOwnWidth_, hasLabels_, isRounded_, isTransparent_})
+        connect(box, &QCheckBox::toggled, this, &ExportDialog::showFormat);
+    for (NumberField* field : {width_, margin_, decimals_, dpi_})
+        connect(field, &NumberField::valueCommitted, this, &ExportDialog::showDrawing);
+    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+void ExportDialog::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    QDialog::changeEvent(event);
+}
+
+void ExportDialog::retranslateUi() {
+    setWindowTitle(tr("Export figure"));
+    const QStringList formats{tr("SVG figure"), tr("PDF page"), tr("PNG picture"), tr("TikZ for LaTeX"),
+                              tr("CSV of the points")};
+    for (int i = 0; i < formats.size(); ++i)
+        format_->setItemText(i, formats[i]);
+    theme_->setItemText(0, tr("Light"));
+    theme_->setItemText(1, tr("Dark"));
+    for (int i = 0; i < layers_->count(); ++i)
+        layers_->item(i)->setText(captionText(layersOf(sheet_)[static_cast<std::size_t>(i)].caption));
+    setRowText(format_, tr("&Format"));
+    setRowText(width_, tr("&Width (mm)"));
+    setRowText(margin_, tr("&Margin (mm)"));
+    setRowText(size_, tr("Page"));
+    setRowText(theme_, tr("&Colours"));
+    setRowText(layers_, tr("La&yers"));
+    setRowText(decimals_, tr("D&ecimals"));
+    setRowText(dpi_, tr("&Dots per inch"));
+    hasOwnWidth_->setText(tr("&Own width"));
+    hasLabels_->setText(tr("Labe&ls"));
+    holdsDocument_->setText(tr("The document &goes along, to open the file again"));
+    hasInkscapeLayers_->setText(tr("Layers for &Inkscape"));
+    isRounded_->setText(tr("&Round coordinates"));
+    isTransparent_->setText(tr("&Transparent"));
+    isFragment_->setText(tr("A &part for another document"));
+    layers_->setAccessibleName(tr("Layers"));
+    preview_->setAccessibleName(tr("The figure as it will be"));
+    buttons_->button(QDialogButtonBox::Save)->setText(tr("E&xport…"));
+    showDrawing();
+}
+
+void ExportDialog::setRowText(QWidget* field, const QString& text) {
+    auto* label = static_cast<QLabel*>(form_->labelForField(field));
+    label->setText(text);
+    field->setAccessibleName(QString(text).remove(u'&'));
+}
+
+void ExportDialog::showFormat() {
+    const FigureFormat shown = format();
+    const bool isFigure = shown != FigureFormat::csv;
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{hasOwnWidth_, width_, margin_, size_, theme_, hasLabels_, layers_})
+        form_->setRowVisible(field, isFigure);
+    for (QWidget* field : std::initializer_list<QWidget*>{holdsDocument_, hasInkscapeLayers_, isRounded_, decimals_})
+        form_->setRowVisible(field, shown == FigureFormat::svg);
+    form_->setRowVisible(dpi_, shown == FigureFormat::png);
+    form_->setRowVisible(isTransparent_, shown == FigureFormat::png);
+    form_->setRowVisible(isFragment_, shown == FigureFormat::tikz);
+    width_->setEnabled(hasOwnWidth_->isChecked());
+    decimals_->setEnabled(isRounded_->isChecked());
+    showDrawing();
+}
+
+void ExportDialog::showDrawing() {
+    const FigureFileOptions wanted = options();
+    Drawing drawing = drawingOf(document_, sheet_, textSource(), wanted.drawing);
+    drawing.hasPaper = !wanted.isTransparent || wanted.format != FigureFormat::png;
+    const Page& page = drawing.page;
+    const QLocale locale;
+    size_->setText(tr("%1 × %2 mm").arg(locale.toString(page.width, 'g', 4), locale.toString(page.height, 'g', 4)));
+    if (!hasOwnWidth_->isChecked())
+        width_->setValue(page.width);
+    preview_->setDrawing(std::move(drawing));
+}
+
+FigureFormat ExportDialog::format() const {
+    return static_cast<FigureFormat>(format_->currentData().toInt());
+}
+
+std::vector<std::string> ExportDialog::checkedLayers() const {
+    std::vector<std::string> names;
+    for (int i = 0; i < layers_->count(); ++i)
+        if (layers_->item(i)->checkState() == Qt::Checked)
+            names.emplace_back(layersOf(sheet_)[static_cast<std::size_t>(i)].name);
+    return names;
+}
+
+FigureFileOptions ExportDialog::options() const {
+    FigureFileOptions options;
+    options.format = format();
+    options.drawing.margin = margin_->value();
+    // A page is wider than its margins.
+    if (hasOwnWidth_->isChecked())
+        options.drawing.width = std::max(width_->value(), 2 * margin_->value() + kLeastWidth);
+    options.drawing.layers = checkedLayers();
+    options.drawing.hasLabels = hasLabels_->isChecked();
+    options.drawing.theme = theme_->currentIndex() == 1 ? Theme::dark : Theme::light;
+    options.holdsDocument = holdsDocument_->isChecked();
+    options.hasInkscapeLayers = hasInkscapeLayers_->isChecked();
+    if (isRounded_->isChecked())
+        options.decimals = static_cast<int>(decimals_->value());
+    options.dpi = static_cast<int>(dpi_->value());
+    options.isTransparent = isTransparent_->isChecked();
+    options.tikz = isFragment_->isChecked() ? TikzKind::fragment : TikzKind::standalone;
+    return options;
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "ui/figures/figure_file.h"
+#include "ui/panels/controls/number_field.h"
+#include "ui/shell/export/figure_preview.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QListWidget>
+
+namespace kriva::ui {
+
+/// How the figure of a sheet is to be written, with the figure beside it as it will be.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+  public:
+    ExportDialog(Document document, SheetIndex sheet, const FigureFileOptions& options, QWidget* parent = nullptr);
+
+    [[nodiscard]] FigureFileOptions options() const;
+
+  protected:
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void addRow(QWidget* field);
+    void fillLayers(const DrawingOptions& drawing);
+    void connectFields();
+    void retranslateUi();
+    void setRowText(QWidget* field, const QString& text);
+    /// What only some formats have is there for them alone.
+    void showFormat();
+    void showDrawing();
+    [[nodiscard]] FigureFormat format() const;
+    [[nodiscard]] std::vector<std::string> checkedLayers() const;
+
+    const Document document_;
+    const SheetIndex sheet_;
+    FigurePreview* preview_;
+    QFormLayout* form_;
+    QComboBox* format_;
+    QCheckBox* hasOwnWidth_;
+    NumberField* width_;
+    NumberField* margin_;
+    QLabel* size_;
+    QComboBox* theme_;
+    QCheckBox* hasLabels_;
+    QListWidget* layers_;
+    QCheckBox* holdsDocument_;
+    QCheckBox* hasInkscapeLayers_;
+    QCheckBox* isRounded_;
+    NumberField* decimals_;
+    NumberField* dpi_;
+    QCheckBox* isTransparent_;
+    QCheckBox* isFragment_;
+    QDialogButtonBox* buttons_;
+};
+
+} // namespace kriva::ui

@@ -1,0 +1,153 @@
+#include "ui/shell/export/figure_export.h"
+
+#include "ui/document/error_text.h"
+#include "ui/figures/caption_text.h"
+#include "ui/sheets/sheet_editor.h"
+#include "ui/shell/export/export_dialog.h"
+
+#include <QClipboard>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QMessageBox>
+#include <QMimeData>
+
+#include <array>
+#include <memory>
+#include <utility>
+
+namespace kriva::ui {
+namespace {
+
+/// One line about a figure that cannot be in such a file.
+QString sentenceFor(FigureFault fault) {
+    switch (fault) {
+    case FigureFault::tooManyPixels:
+        return FigureExport::tr("The picture would have more than %1 pixels a side.").arg(kMostPixels);
+    case FigureFault::beyondTex:
+        return FigureExport::tr("TeX draws at most %1 mm a side: give the figure a width.").arg(kMostTexSide);
+    }
+    return {};
+}
+
+void tellFailure(const QString& sentence, QWidget* window) {
+    QMessageBox(QMessageBox::Critical, FigureExport::tr("The figure was not written"), sentence, QMessageBox::Ok,
+                window)
+        .exec();
+}
+
+/// Whether the file is there now; what went wrong is told.
+bool writeOrTell(const FigureFile& made, const QString& path, QWidget* window) {
+    if (const FigureFault* fault = std::get_if<FigureFault>(&made)) {
+        tellFailure(sentenceFor(*fault), window);
+        return false;
+    }
+    const auto error = safeWrite(path, std::get<QByteArray>(made));
+    if (error)
+        tellFailure(errorText(*error, path), window);
+    return !error;
+}
+
+/// A file for a format; nothing where the person thought better of it.
+std::optional<QString> askForFile(const QString& proposed, const QStringList& filters, QWidget* window) {
+    QFileDialog dialog(window, FigureExport::tr("Export figure"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters(filters);
+    dialog.setDefaultSuffix(QFileInfo(proposed).suffix());
+    dialog.selectFile(proposed);
+    if (dialog.exec() != QDialog::Accepted)
+        return {};
+    return dialog.selectedFiles().constFirst();
+}
+
+QString filterFor(FigureFormat format) {
+    const QString files = QStringLiteral("*%1").arg(suffixOf(format));
+    return FigureExport::tr("Figures (%1)").arg(files);
+}
+
+/// "name-elevation.svg"
+QString proposedName(const SheetEditor& editor, const QString& name, FigureFormat format) {
+    const std::string_view sheet = sheetName(editor.index());
+    return QStringLiteral("%1-%2%3").arg(QFileInfo(name).completeBaseName(),
+                                         QString::fromUtf8(sheet.data(), static_cast<qsizetype>(sheet.size())),
+                                         suffixOf(format));
+}
+
+} // namespace
+
+void exportPlots(const std::vector<Plot>& plots, QWidget* window) {
+    const QStringList filters{filterFor(FigureFormat::svg), filterFor(FigureFormat::pdf), filterFor(FigureFormat::png),
+                              filterFor(FigureFormat::tikz)};
+    const std::optional<QString> path = askForFile(QStringLiteral("plot.svg"), filters, window);
+    if (!path)
+        return;
+    FigureFileOptions options;
+    options.format = figureFormatOf(*path).value_or(FigureFormat::svg);
+    writeOrTell(drawingFile(drawingOf(plots, textSource()), options), *path, window);
+}
+
+FigureExport::FigureExport(QWidget* window)
+    : QObject(window)
+    , window_(window) {}
+
+void FigureExport::ask(const SheetEditor& editor, const QString& name) {
+    Last& last = last_[editor.index()];
+    ExportDialog dialog(editor.documentOnView(), editor.index(), last.options, window_);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    last.options = dialog.options();
+    const QString proposed = proposedName(editor, name, last.options.format);
+    if (const std::optional<QString> path = askForFile(proposed, {filterFor(last.options.format)}, window_))
+        write(editor, *path);
+}
+
+void FigureExport::again(const SheetEditor& editor, const QString& name) {
+    const QString path = last_[editor.index()].path; // write() sets it
+    if (path.isEmpty())
+        ask(editor, name);
+    else
+        write(editor, path);
+}
+
+void FigureExport::write(const SheetEditor& editor, const QString& path) {
+    Last& last = last_[editor.index()];
+    // What is called .pdf is one, whatever was chosen before.
+    last.options.format = figureFormatOf(path).value_or(last.options.format);
+    if (!writeOrTell(figureFile(editor.documentOnView(), editor.index(), last.options), path, window_))
+        return;
+    last.path = path;
+    Q_EMIT told(tr("Written: %1").arg(path));
+}
+
+void FigureExport::copy(const SheetEditor& editor) const {
+    constexpr std::array kFormats{std::pair("image/svg+xml", FigureFormat::svg),
+                                  std::pair("application/pdf", FigureFormat::pdf),
+                                  std::pair("image/png", FigureFormat::png)};
+    auto clip = std::make_unique<QMimeData>();
+    FigureFileOptions options = last_[editor.index()].options;
+    for (const auto& [name, format] : kFormats) {
+        options.format = format;
+        const FigureFile made = figureFile(editor.documentOnView(), editor.index(), options);
+        if (const QByteArray* bytes = std::get_if<QByteArray>(&made))
+            clip->setData(QLatin1String(name), *bytes);
+    }
+    QGuiApplication::clipboard()->setMimeData(clip.release());
+}
+
+void FigureExport::copyTikz(const SheetEditor& editor) const {
+    FigureFileOptions options = last_[editor.index()].options;
+    options.format = FigureFormat::tikz;
+    options.tikz = TikzKind::fragment;
+    const FigureFile made = figureFile(editor.documentOnView(), editor.index(), options);
+    if (const QByteArray* text = std::get_if<QByteArray>(&made))
+        QGuiApplication::clipboard()->setText(QString::fromUtf8(*text));
+    else
+        tellFailure(sentenceFor(std::get<FigureFault>(made)), window_);
+}
+
+void FigureExport::forgetFiles() {
+    for (Last& last : last_)
+        last.path.clear();
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/figure/plot/plot.h"
+#include "ui/figures/figure_file.h"
+
+#include <QObject>
+
+#include <array>
+
+class QWidget;
+
+namespace kriva::ui {
+
+class SheetEditor;
+
+/// Asks for a file and writes plots into it, one above the other, in any format of figures.
+void exportPlots(const std::vector<Plot>& plots, QWidget* window);
+
+/// The ways of a tab's figure out of the window: into files and onto the clipboard, always the stage on view.
+class FigureExport : public QObject {
+    Q_OBJECT
+  public:
+    explicit FigureExport(QWidget* window);
+
+    /// Asks how and into which file; `name` is the document's, for the file that is proposed.
+    void ask(const SheetEditor& editor, const QString& name);
+    /// The same as the last time into the same file, without a question; asks where there was no last time.
+    void again(const SheetEditor& editor, const QString& name);
+    /// As SVG, PDF and PNG at once.
+    void copy(const SheetEditor& editor) const;
+    void copyTikz(const SheetEditor& editor) const;
+    /// Another document is open: its figures go into files of their own.
+    void forgetFiles();
+
+  Q_SIGNALS:
+    /// A text for the status row about what just happened.
+    void told(const QString& text);
+
+  private:
+    /// Tells what went wrong, and where.
+    void write(const SheetEditor& editor, const QString& path);
+
+    struct Last {
+        FigureFileOptions options;
+        QString path;
+    };
+    QWidget* window_;
+    std::array<Last, kSheetCount> last_;
+};
+
+} // namespace kriva::ui
