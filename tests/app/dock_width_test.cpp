@@ -30,5 +30,14 @@ TEST(DockWidth, isTheSameInAllLanguages) {
             EXPECT_EQ(width, english.at(dock)) << dock << " in language " << static_cast<int>(language);
 }
 
+TEST(DockWidth, isTheSameInAllTabsAtFirst) {
+    TestWindow window(Language::Ukrainian);
+    for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
+        const SheetTab& tab = window.shown(sheet);
+        EXPECT_EQ(tab.findChild<QDockWidget*>(QStringLiteral("points"))->width(), 260);
+        EXPECT_EQ(tab.findChild<QDockWidget*>(QStringLiteral("results"))->width(), 360) << "its tabs need the room";
+    }
+}
+
 } // namespace
 } // namespace kriva::ui

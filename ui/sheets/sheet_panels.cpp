@@ -34,11 +34,18 @@ SheetPanels::SheetPanels(QMainWindow& tab, SheetEditor& editor, const SheetRelat
 void SheetPanels::make() {
     if (!panels_.empty())
         return;
-    tab_.resize(tab_.window()->size()); // nearly: before it is shown, a tab does not know its own
     fill();
+    retranslateUi();
+}
+
+void SheetPanels::layOut() {
+    if (isLaidOut())
+        return;
+    // Not as wide as their titles want to be, which differs from language to language.
+    tab_.resizeDocks({dockOf("curves"), dockOf("properties")}, {kColumnWidth, kRightWidth}, Qt::Horizontal);
+    tab_.resizeDocks({dockOf("properties"), dockOf("results")}, {kPropertiesHeight, kResultsHeight}, Qt::Vertical);
     firstLayout_ = tab_.saveState();
     tab_.restoreState(layout_);
-    retranslateUi();
 }
 
 void SheetPanels::fill() {
@@ -57,9 +64,6 @@ void SheetPanels::fill() {
                                   {"tables", QT_TRANSLATE_NOOP("SheetPanels", "Tables"),
                                    [this] { return new TablesPanel(editor_, ui_.tables); }},
                                   {"guide", QT_TRANSLATE_NOOP("SheetPanels", "Guide"), [this] { return guide(); }}});
-    // Not as wide as their titles want to be, which differs from language to language.
-    tab_.resizeDocks({dockOf("curves"), dockOf("properties")}, {kColumnWidth, kRightWidth}, Qt::Horizontal);
-    tab_.resizeDocks({dockOf("properties"), dockOf("results")}, {kPropertiesHeight, kResultsHeight}, Qt::Vertical);
 }
 
 void SheetPanels::add(Qt::DockWidgetArea area, std::initializer_list<NewPanel> group) {
@@ -115,12 +119,12 @@ QList<QAction*> SheetPanels::actions() {
 }
 
 QByteArray SheetPanels::layout() const {
-    return panels_.empty() ? layout_ : tab_.saveState();
+    return isLaidOut() ? tab_.saveState() : layout_;
 }
 
 void SheetPanels::setLayout(const QByteArray& layout) {
     layout_ = layout;
-    if (!panels_.empty())
+    if (isLaidOut())
         tab_.restoreState(layout);
 }
 

@@ -21,6 +21,8 @@ class SheetPanels {
 
     /// Where that has not been done.
     void make();
+    /// The tab comes into sight: only now docks take the room that they are given. Where that has not been done.
+    void layOut();
     /// What turns the panels on and off, in the order of the menu.
     [[nodiscard]] QList<QAction*> actions();
     /// How the panels lie, as QMainWindow::saveState() gives it.
@@ -53,6 +55,7 @@ class SheetPanels {
         std::function<QWidget*()> make;
     };
     void fill();
+    [[nodiscard]] bool isLaidOut() const { return !firstLayout_.isEmpty(); }
     [[nodiscard]] QWidget* properties() const;
     [[nodiscard]] QWidget* plots() const;
     [[nodiscard]] QWidget* guide();

@@ -29,6 +29,11 @@ void SheetTab::setVisible(bool isVisible) {
     QMainWindow::setVisible(isVisible);
 }
 
+void SheetTab::showEvent(QShowEvent* event) {
+    panels_.layOut();
+    QMainWindow::showEvent(event);
+}
+
 void SheetTab::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange)
         retranslateUi();
