@@ -672,14 +672,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>няма слой %1; листът има %2</translation>
     </message>
     <message>
-        <source>%1: the picture would have more than %2 pixels a side</source>
-        <translation>%1: картината би имала повече от %2 пиксела на страна</translation>
-    </message>
-    <message>
-        <source>%1: TeX draws at most %2 mm a side; --width makes the figure smaller</source>
-        <translation>%1: TeX чертае най-много %2 mm на страна; --width намалява фигурата</translation>
-    </message>
-    <message>
         <source>%1: figures are written as .svg, .pdf, .png, .tex or .csv</source>
         <translation>%1: фигурите се записват като .svg, .pdf, .png, .tex или .csv</translation>
     </message>
@@ -898,6 +890,17 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Two curves of pairs pass through every point. Drag a middle point: only its own pair changes.</source>
         <translation>Две криви от двойки минават през всички точки. Влачете междинна точка: променя се само нейната двойка.</translation>
+    </message>
+</context>
+<context>
+    <name>FigureFile</name>
+    <message>
+        <source>the picture would have more than %1 pixels a side</source>
+        <translation>картината би имала повече от %1 пиксела на страна</translation>
+    </message>
+    <message>
+        <source>TeX draws at most %1 mm a side; give the figure a width</source>
+        <translation>TeX чертае най-много %1 mm на страна; задайте ширина на фигурата</translation>
     </message>
 </context>
 <context>
@@ -2320,14 +2323,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
 </context>
 <context>
     <name>kriva::ui::FigureExport</name>
-    <message>
-        <source>The picture would have more than %1 pixels a side.</source>
-        <translation>Картината би имала повече от %1 пиксела на страна.</translation>
-    </message>
-    <message>
-        <source>TeX draws at most %1 mm a side: give the figure a width.</source>
-        <translation>TeX чертае най-много %1 mm на страна: задайте ширина на фигурата.</translation>
-    </message>
     <message>
         <source>The figure was not written</source>
         <translation>Фигурата не беше записана</translation>

@@ -672,14 +672,6 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <translation>plasti %1 ni; list ima %2</translation>
     </message>
     <message>
-        <source>%1: the picture would have more than %2 pixels a side</source>
-        <translation>%1: slika bi imela več kot %2 pik na stranico</translation>
-    </message>
-    <message>
-        <source>%1: TeX draws at most %2 mm a side; --width makes the figure smaller</source>
-        <translation>%1: TeX riše največ %2 mm na stranico; --width pomanjša sliko</translation>
-    </message>
-    <message>
         <source>%1: figures are written as .svg, .pdf, .png, .tex or .csv</source>
         <translation>%1: slike se zapisujejo kot .svg, .pdf, .png, .tex ali .csv</translation>
     </message>
@@ -900,6 +892,17 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Two curves of pairs pass through every point. Drag a middle point: only its own pair changes.</source>
         <translation>Dve krivulji iz parov gresta skozi vse točke. Povlecite vmesno točko: spremeni se samo njen par.</translation>
+    </message>
+</context>
+<context>
+    <name>FigureFile</name>
+    <message>
+        <source>the picture would have more than %1 pixels a side</source>
+        <translation>slika bi imela več kot %1 pik na stranico</translation>
+    </message>
+    <message>
+        <source>TeX draws at most %1 mm a side; give the figure a width</source>
+        <translation>TeX riše največ %1 mm na stranico; določite širino slike</translation>
     </message>
 </context>
 <context>
@@ -2322,14 +2325,6 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
 </context>
 <context>
     <name>kriva::ui::FigureExport</name>
-    <message>
-        <source>The picture would have more than %1 pixels a side.</source>
-        <translation>Slika bi imela več kot %1 pik na stranico.</translation>
-    </message>
-    <message>
-        <source>TeX draws at most %1 mm a side: give the figure a width.</source>
-        <translation>TeX riše največ %1 mm na stranico: določite širino slike.</translation>
-    </message>
     <message>
         <source>The figure was not written</source>
         <translation>Slika ni bila zapisana</translation>

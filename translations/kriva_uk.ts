@@ -672,14 +672,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>немає шару %1; аркуш має %2</translation>
     </message>
     <message>
-        <source>%1: the picture would have more than %2 pixels a side</source>
-        <translation>%1: картинка мала б понад %2 пікселів за сторону</translation>
-    </message>
-    <message>
-        <source>%1: TeX draws at most %2 mm a side; --width makes the figure smaller</source>
-        <translation>%1: TeX малює щонайбільше %2 мм за сторону; --width зменшує рисунок</translation>
-    </message>
-    <message>
         <source>%1: figures are written as .svg, .pdf, .png, .tex or .csv</source>
         <translation>%1: рисунки записуються як .svg, .pdf, .png, .tex або .csv</translation>
     </message>
@@ -899,6 +891,17 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Two curves of pairs pass through every point. Drag a middle point: only its own pair changes.</source>
         <translation>Дві криві з пар проходять через усі точки. Потягніть проміжну точку: змінюється лише її пара.</translation>
+    </message>
+</context>
+<context>
+    <name>FigureFile</name>
+    <message>
+        <source>the picture would have more than %1 pixels a side</source>
+        <translation>зображення мало б понад %1 пікселів за сторону</translation>
+    </message>
+    <message>
+        <source>TeX draws at most %1 mm a side; give the figure a width</source>
+        <translation>TeX малює щонайбільше %1 мм за сторону; задайте ширину рисунка</translation>
     </message>
 </context>
 <context>
@@ -2321,14 +2324,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
 </context>
 <context>
     <name>kriva::ui::FigureExport</name>
-    <message>
-        <source>The picture would have more than %1 pixels a side.</source>
-        <translation>Зображення мало б понад %1 пікселів за сторону.</translation>
-    </message>
-    <message>
-        <source>TeX draws at most %1 mm a side: give the figure a width.</source>
-        <translation>TeX малює щонайбільше %1 мм за сторону: задайте ширину рисунка.</translation>
-    </message>
     <message>
         <source>The figure was not written</source>
         <translation>Рисунок не записано</translation>

@@ -12,8 +12,10 @@
 namespace kriva::app {
 namespace {
 
-/// The name that stands for the standard input and output.
-const QString kStandardStream = QStringLiteral("-");
+/// Whether a name stands for the standard input or output.
+bool isStandardStream(const QString& file) {
+    return file == QLatin1Char('-');
+}
 
 class Export {
     Q_DECLARE_TR_FUNCTIONS(CommandLine)
@@ -24,17 +26,6 @@ class Export {
     }
     static QString noSuchLayer(const QString& layer, const QStringList& layers) {
         return tr("there is no layer %1; the sheet has %2").arg(layer, layers.join(QStringLiteral(", ")));
-    }
-    static QString sentence(ui::FigureFault fault, const QString& file) {
-        switch (fault) {
-        case ui::FigureFault::tooManyPixels:
-            return tr("%1: the picture would have more than %2 pixels a side").arg(file).arg(ui::kMostPixels);
-        case ui::FigureFault::beyondTex:
-            return tr("%1: TeX draws at most %2 mm a side; --width makes the figure smaller")
-                .arg(file)
-                .arg(kMostTexSide);
-        }
-        return {};
     }
 };
 
@@ -65,7 +56,7 @@ QString layerFault(const DrawingOptions& options, SheetIndex sheet) {
 
 /// What a name of a file may have whatever the system: other characters become `_`.
 QString reducedName(const QString& file) {
-    QString name = file == kStandardStream ? QStringLiteral("figure") : QFileInfo(file).completeBaseName();
+    QString name = isStandardStream(file) ? QStringLiteral("figure") : QFileInfo(file).completeBaseName();
     for (QChar& c : name)
         if (!(c.unicode() < 0x80 && (c.isLetterOrNumber() || QStringLiteral("._-").contains(c))))
             c = QLatin1Char('_');
@@ -79,7 +70,7 @@ QString outputFor(QString pattern, const QString& file, SheetIndex sheet) {
 }
 
 ExitCode write(const QString& output, const QByteArray& bytes) {
-    if (output == kStandardStream)
+    if (isStandardStream(output))
         return printOut(bytes);
     const auto error = ui::safeWrite(output, bytes);
     if (error)
@@ -93,7 +84,7 @@ ExitCode refused(const QString& sentence, ExitCode code) {
 }
 
 ExitCode exportOne(const QString& file, const ExportRequest& request) {
-    const auto loaded = file == kStandardStream ? ui::documentFrom(readIn()) : ui::loadDocument(file);
+    const auto loaded = isStandardStream(file) ? ui::documentFrom(readIn()) : ui::loadDocument(file);
     if (const ui::OpenError* error = std::get_if<ui::OpenError>(&loaded))
         return refused(errorText(*error, file), ExitCode::refused);
     const Document& document = std::get<Document>(loaded);
@@ -108,7 +99,7 @@ ExitCode exportOne(const QString& file, const ExportRequest& request) {
         return refused(fault, ExitCode::usage);
     const ui::FigureFile made = ui::figureFile(document, *sheet, request.options);
     if (const ui::FigureFault* fault = std::get_if<ui::FigureFault>(&made))
-        return refused(Export::sentence(*fault, file), ExitCode::failure);
+        return refused(QStringLiteral("%1: %2").arg(file, faultText(*fault)), ExitCode::failure);
     return write(outputFor(request.output, file, *sheet), std::get<QByteArray>(made));
 }
 

@@ -123,7 +123,7 @@ TEST_F(ExportCommand, tellsWhatAFormatCannotDraw) {
     expectOneLine(run("export arch.kriva -o a.png --width 900mm --dpi 4800"), ExitCode::failure,
                   "kriva: arch.kriva: the picture would have more than 16384 pixels a side");
     expectOneLine(run("export arch.kriva -o a.tex --width 5800mm"), ExitCode::failure,
-                  "kriva: arch.kriva: TeX draws at most 5700 mm a side; --width makes the figure smaller");
+                  "kriva: arch.kriva: TeX draws at most 5700 mm a side; give the figure a width");
 }
 
 } // namespace

@@ -4,6 +4,8 @@
 #include "core/io/svg_writer.h"
 #include "ui/figures/caption_text.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -16,6 +18,10 @@ constexpr std::array<std::pair<const char*, FigureFormat>, 5> kFormats{{{".svg",
                                                                         {".png", FigureFormat::png},
                                                                         {".tex", FigureFormat::tikz},
                                                                         {".csv", FigureFormat::csv}}};
+
+class FaultTexts {
+    Q_DECLARE_TR_FUNCTIONS(FigureFile)
+};
 
 SvgOptions svgOptions(const FigureFileOptions& options) {
     return {{}, options.decimals, options.hasInkscapeLayers};
@@ -37,6 +43,12 @@ std::optional<FigureFormat> figureFormatOf(const QString& path) {
 QString suffixOf(FigureFormat format) {
     const auto* found = std::ranges::find(kFormats, format, &std::pair<const char*, FigureFormat>::second);
     return QLatin1String(found->first);
+}
+
+QString faultText(FigureFault fault) {
+    if (fault == FigureFault::tooManyPixels)
+        return FaultTexts::tr("the picture would have more than %1 pixels a side").arg(kMostPixels);
+    return FaultTexts::tr("TeX draws at most %1 mm a side; give the figure a width").arg(kMostTexSide);
 }
 
 FigureFile drawingFile(const Drawing& drawing, const FigureFileOptions& options) {

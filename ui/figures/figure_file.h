@@ -35,6 +35,9 @@ enum class FigureFault {
     tooManyPixels, ///< a side of more than kMostPixels
     beyondTex,     ///< a side longer than TeX can count, kMostTexSide
 };
+/// The same as a part of a sentence in the present language.
+[[nodiscard]] QString faultText(FigureFault fault);
+
 using FigureFile = std::variant<QByteArray, FigureFault>;
 
 /// The file of a drawing, which is no document and has no points: not CSV.

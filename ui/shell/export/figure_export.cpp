@@ -19,17 +19,6 @@
 namespace kriva::ui {
 namespace {
 
-/// One line about a figure that cannot be in such a file.
-QString sentenceFor(FigureFault fault) {
-    switch (fault) {
-    case FigureFault::tooManyPixels:
-        return FigureExport::tr("The picture would have more than %1 pixels a side.").arg(kMostPixels);
-    case FigureFault::beyondTex:
-        return FigureExport::tr("TeX draws at most %1 mm a side: give the figure a width.").arg(kMostTexSide);
-    }
-    return {};
-}
-
 void tellFailure(const QString& sentence, QWidget* window) {
     QMessageBox(QMessageBox::Critical, FigureExport::tr("The figure was not written"), sentence, QMessageBox::Ok,
                 window)
@@ -39,7 +28,7 @@ void tellFailure(const QString& sentence, QWidget* window) {
 /// Whether the file is there now; what went wrong is told.
 bool writeOrTell(const FigureFile& made, const QString& path, QWidget* window) {
     if (const FigureFault* fault = std::get_if<FigureFault>(&made)) {
-        tellFailure(sentenceFor(*fault), window);
+        tellFailure(QStringLiteral("%1: %2").arg(path, faultText(*fault)), window);
         return false;
     }
     const auto error = safeWrite(path, std::get<QByteArray>(made));
@@ -142,7 +131,7 @@ void FigureExport::copyTikz(const SheetEditor& editor) const {
     if (const QByteArray* text = std::get_if<QByteArray>(&made))
         QGuiApplication::clipboard()->setText(QString::fromUtf8(*text));
     else
-        tellFailure(sentenceFor(std::get<FigureFault>(made)), window_);
+        tellFailure(faultText(std::get<FigureFault>(made)), window_);
 }
 
 void FigureExport::forgetFiles() {
