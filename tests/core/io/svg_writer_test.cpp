@@ -99,7 +99,8 @@ TEST(SvgWriter, roundsCoordinatesAndNeverTheSizeOfThePage) {
 
 TEST(SvgWriter, makesLayersForInkscapeOnlyWhereAsked) {
     const std::string svg = svgWithoutDocument(documentOf({kArch}), {.hasInkscapeLayers = true});
-    const pugi::xml_node layer = parsed(svg).document_element().find_child_by_attribute("g", "id", "layer-curve");
+    const pugi::xml_document xml = parsed(svg);
+    const pugi::xml_node layer = xml.document_element().find_child_by_attribute("g", "id", "layer-curve");
     EXPECT_STREQ(layer.attribute("inkscape:groupmode").value(), "layer");
     EXPECT_STREQ(layer.attribute("inkscape:label").value(), "Word");
     EXPECT_THAT(svgWithoutDocument(documentOf({kArch})), Not(HasSubstr("inkscape")));
