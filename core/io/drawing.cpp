@@ -46,19 +46,19 @@ Sheet chosen(Sheet sheet, SheetIndex index, const DrawingOptions& options) {
 
 } // namespace
 
-Drawing drawingOf(const Document& document, SheetIndex index, const TextSource& texts, const DrawingOptions& options) {
-    const Sheet sheet = chosen(document.sheets[index], index, options);
+Drawing drawingOf(const Document& document, SheetIndex sheet, const TextSource& texts, const DrawingOptions& options) {
+    const Sheet onView = chosen(document.sheets[sheet], sheet, options);
     Drawing drawing;
-    drawing.figure = figureOf(sheet, index);
+    drawing.figure = figureOf(onView, sheet);
     if (!options.hasLabels)
         for (Layer& layer : drawing.figure.layers)
             layer.labels.clear();
     const Box box = boxOf(drawing.figure);
     drawing.page = options.width ? pageOfWidth(box, *options.width, options.margin)
-                                 : pageOf(box, sheet.view.mmPerUnit, options.margin);
-    drawing.title = document.title.empty() ? texts.translate(captionOf(index)) : document.title;
-    drawing.layerTitles = titlesOf(drawing.figure, index, texts);
-    drawing.description = describe(index, drawing.layerTitles, texts);
+                                 : pageOf(box, onView.view.mmPerUnit, options.margin);
+    drawing.layerTitles = titlesOf(drawing.figure, sheet, texts);
+    drawing.title = document.title.empty() ? texts.translate(captionOf(sheet)) : document.title;
+    drawing.description = describe(sheet, drawing.layerTitles, texts);
     drawing.theme = options.theme;
     return drawing;
 }

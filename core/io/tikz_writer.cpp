@@ -244,7 +244,8 @@ std::string writeTikz(const Drawing& drawing, const TextSource& texts, TikzKind 
     const std::string title = "% " + latexText(drawing.title) + "\n";
     if (kind == TikzKind::fragment)
         return title + std::move(picture).take();
-    return title + "\\documentclass{standalone}\n" + picture.encodingsLine() +
+    const std::string encodings = picture.encodingsLine();
+    return title + "\\documentclass{standalone}\n" + encodings +
            "\\usepackage[utf8]{inputenc}\n\\usepackage{tikz}\n\\begin{document}\n" + std::move(picture).take() +
            "\\end{document}\n";
 }
