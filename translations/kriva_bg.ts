@@ -2281,8 +2281,8 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>&amp;Своя ширина</translation>
     </message>
     <message>
-        <source>Labe&amp;ls</source>
-        <translation>&amp;Означения</translation>
+        <source>Text&amp;s in the figure</source>
+        <translation>&amp;Надписи във фигурата</translation>
     </message>
     <message>
         <source>Layers for &amp;Inkscape</source>

@@ -2283,8 +2283,8 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <translation>&amp;Lastna širina</translation>
     </message>
     <message>
-        <source>Labe&amp;ls</source>
-        <translation>O&amp;znake</translation>
+        <source>Text&amp;s in the figure</source>
+        <translation>Besed&amp;ila na sliki</translation>
     </message>
     <message>
         <source>Layers for &amp;Inkscape</source>

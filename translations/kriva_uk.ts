@@ -2282,8 +2282,8 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>&amp;Власна ширина</translation>
     </message>
     <message>
-        <source>Labe&amp;ls</source>
-        <translation>П&amp;означення</translation>
+        <source>Text&amp;s in the figure</source>
+        <translation>&amp;Написи на рисунку</translation>
     </message>
     <message>
         <source>Layers for &amp;Inkscape</source>

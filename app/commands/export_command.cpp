@@ -47,7 +47,7 @@ std::optional<SheetIndex> sheetToDraw(const Document& document, std::optional<Sh
 QString layerFault(const DrawingOptions& options, SheetIndex sheet) {
     QStringList names;
     for (const LayerInfo& layer : layersOf(sheet))
-        names.append(QString::fromUtf8(layer.name.data(), static_cast<qsizetype>(layer.name.size())));
+        names.append(QString::fromUtf8(layer.name));
     for (const std::string& layer : options.layers.value_or(std::vector<std::string>()))
         if (!names.contains(QString::fromStdString(layer)))
             return Export::noSuchLayer(QString::fromStdString(layer), names);
@@ -64,9 +64,8 @@ QString reducedName(const QString& file) {
 }
 
 QString outputFor(QString pattern, const QString& file, SheetIndex sheet) {
-    const std::string_view name = sheetName(sheet);
     return pattern.replace(QStringLiteral("{name}"), reducedName(file))
-        .replace(QStringLiteral("{sheet}"), QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())));
+        .replace(QStringLiteral("{sheet}"), QString::fromUtf8(sheetName(sheet)));
 }
 
 ExitCode write(const QString& output, const QByteArray& bytes) {

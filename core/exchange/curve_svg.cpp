@@ -1,6 +1,6 @@
 #include "core/exchange/curve_svg.h"
 
-#include "core/io/svg_writer.h"
+#include "core/io/svg/svg_writer.h"
 
 namespace kriva {
 

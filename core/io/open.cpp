@@ -1,7 +1,7 @@
 #include "core/io/open.h"
 
 #include "core/document/document_json.h"
-#include "core/io/svg_reader.h"
+#include "core/io/svg/svg_reader.h"
 
 namespace kriva {
 

@@ -1,7 +1,7 @@
 #include "core/io/table_writer.h"
 
 #include "core/figure/labels.h"
-#include "core/io/latex_text.h"
+#include "core/io/latex/latex_text.h"
 
 #include <algorithm>
 #include <charconv>

@@ -39,7 +39,7 @@ TEST_F(ExportDialogTest, showsTheFigureAsItsFileWillBe) {
     test::type(test::named<NumberField>(dialog_, "Margin (mm)"), "3");
     EXPECT_EQ(shown().page.width, 80);
     EXPECT_EQ(shown().page.margin, 3);
-    test::click(test::saying<QCheckBox>(dialog_, "Labe&ls"));
+    test::click(test::saying<QCheckBox>(dialog_, "Text&s in the figure"));
     for (const Layer& layer : shown().figure.layers)
         EXPECT_TRUE(layer.labels.empty());
     test::named<QComboBox>(dialog_, "Colours").setCurrentIndex(1);

@@ -1,8 +1,7 @@
 #include "ui/figures/drawing_painter.h"
 
-#include "core/bezier/cubic_pieces.h"
 #include "core/figure/label_placement.h"
-#include "core/io/svg_path.h"
+#include "core/io/drawn_pieces.h"
 #include "ui/figures/figure_ink.h"
 
 #include <QPaintEngine>
@@ -57,32 +56,29 @@ class DrawingPainter {
         const int most = mayBeCut ? kPiecesOfRaster : std::numeric_limits<int>::max();
         QPainterPath path;
         int pieces = 0;
-        forEachPiece(stroke.path, [&](std::span<const Point> piece) {
+        bool isWhole = true;
+        forEachDrawnPiece(stroke.path, drawing_.page, [&](std::span<const Point> piece) {
             if (pieces == most) {
                 painter_.strokePath(path, pen);
                 path = QPainterPath();
                 pieces = 0;
+                isWhole = false;
             }
             if (pieces++ == 0)
-                path.moveTo(place(piece.front()));
+                path.moveTo(onPainter(piece.front()));
             add(path, piece);
         });
-        if (stroke.path.isClosed && pieces == static_cast<int>(stroke.path.degrees.size()))
+        if (stroke.path.isClosed && isWhole)
             path.closeSubpath();
         painter_.strokePath(path, pen);
     }
     void add(QPainterPath& path, std::span<const Point> piece) const {
         if (piece.size() == 2)
-            return path.lineTo(place(piece[1]));
-        if (piece.size() == 3)
-            return path.quadTo(place(piece[1]), place(piece[2]));
-        if (piece.size() == 4)
-            return path.cubicTo(place(piece[1]), place(piece[2]), place(piece[3]));
-        Points onThePage;
-        for (const Point p : piece)
-            onThePage.push_back(onPage(drawing_.page, p));
-        for (const Cubic& cubic : cubicPieces(onThePage, {kCubicTolerance}))
-            path.cubicTo(onPainter(cubic[1]), onPainter(cubic[2]), onPainter(cubic[3]));
+            path.lineTo(onPainter(piece[1]));
+        else if (piece.size() == 3)
+            path.quadTo(onPainter(piece[1]), onPainter(piece[2]));
+        else
+            path.cubicTo(onPainter(piece[1]), onPainter(piece[2]), onPainter(piece[3]));
     }
 
     QPainter& painter_;

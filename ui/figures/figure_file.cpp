@@ -1,7 +1,7 @@
 #include "ui/figures/figure_file.h"
 
 #include "core/io/points_csv.h"
-#include "core/io/svg_writer.h"
+#include "core/io/svg/svg_writer.h"
 #include "ui/figures/caption_text.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/drawing.h"
-#include "core/io/tikz_writer.h"
+#include "core/io/latex/tikz_writer.h"
 #include "ui/figures/picture_files.h"
 
 #include <QString>

@@ -65,8 +65,7 @@ void paintMark(QPainter& painter, const RoleStyle& style, QPointF at, double poi
 }
 
 LabelFonts labelFonts(double pointSize) {
-    static const QString family = firstInstalled(
-        QString::fromUtf8(kTextFamily.data(), static_cast<qsizetype>(kTextFamily.size())).split(QStringLiteral(", ")));
+    static const QString family = firstInstalled(QString::fromUtf8(kTextFamily).split(QStringLiteral(", ")));
     QFont text(family);
     text.setPixelSize(std::max(1, qRound(kTextSize * pointSize)));
     LabelFonts fonts{text, text, text};

@@ -104,8 +104,7 @@ QWidget* SheetPanels::plots() const {
 }
 
 QWidget* SheetPanels::guide() {
-    const std::string_view sheet = sheetName(editor_.index());
-    guide_ = new GuidePanel(QString::fromUtf8(sheet.data(), static_cast<qsizetype>(sheet.size())));
+    guide_ = new GuidePanel(QString::fromUtf8(sheetName(editor_.index())));
     guide_->setExample(example_);
     return guide_;
 }

@@ -17,15 +17,6 @@
 #include <QShortcut>
 
 namespace kriva::ui {
-namespace {
-
-[[nodiscard]] QString sheetText(SheetIndex sheet) {
-    const std::string_view name = sheetName(sheet);
-    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
-}
-
-} // namespace
-
 MainWindow::MainWindow(const Surroundings& surroundings)
     : surroundings_(surroundings)
     , actions_(new Actions(this))
@@ -68,7 +59,7 @@ MainWindow::~MainWindow() {
 void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
         auto* tab = new SheetTab(document_, sheet, sheets[sheet], this);
-        tab->panels().setLayout(surroundings_.preferences.panelLayout(sheetText(sheet)));
+        tab->panels().setLayout(surroundings_.preferences.panelLayout(QString::fromUtf8(sheetName(sheet))));
         tabs_.push_back(tab);
         tabWidget_->addTab(tab, QString());
         auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + sheet)), this);
@@ -233,7 +224,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     surroundings_.preferences.setWindowGeometry(saveGeometry());
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet)
-        surroundings_.preferences.setPanelLayout(sheetText(sheet), tabs_[sheet]->panels().layout());
+        surroundings_.preferences.setPanelLayout(QString::fromUtf8(sheetName(sheet)), tabs_[sheet]->panels().layout());
     event->accept();
 }
 

@@ -1,4 +1,4 @@
-#include "core/io/svg_writer.h"
+#include "core/io/svg/svg_writer.h"
 #include "ui/figures/caption_text.h"
 #include "ui/shell/examples.h"
 #include "ui/shell/language/language.h"

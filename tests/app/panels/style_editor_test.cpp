@@ -1,4 +1,4 @@
-#include "core/io/svg_writer.h"
+#include "core/io/svg/svg_writer.h"
 #include "tests/support/panel_test.h"
 #include "ui/figures/caption_text.h"
 #include "ui/panels/curves_panel.h"

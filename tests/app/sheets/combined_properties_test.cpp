@@ -1,5 +1,5 @@
 #include "core/combined/combined_figure.h"
-#include "core/io/svg_writer.h"
+#include "core/io/svg/svg_writer.h"
 #include "tests/support/panel_test.h"
 #include "ui/figures/caption_text.h"
 #include "ui/panels/controls/player.h"

@@ -1,4 +1,4 @@
-#include "core/io/svg_writer.h"
+#include "core/io/svg/svg_writer.h"
 #include "ui/document/document_file.h"
 
 #include <gtest/gtest.h>

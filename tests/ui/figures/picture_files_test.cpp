@@ -22,12 +22,12 @@ Drawing drawingOfCurve(const Points& curve) {
     return drawing;
 }
 
-/// How far the ink of a picture lies from the curve beyond half its pen, and the curve from ink, in pixels.
-struct Distances {
-    double ofInk = 0;
-    double ofCurve = 0;
+/// How the ink of a picture fits a curve.
+struct Ink {
+    double distance = 0; ///< how far it lies from the curve at most, beyond half its pen, in pixels
+    bool isWhole = true; ///< it is wherever the curve is
 };
-Distances distances(const QImage& picture, const Drawing& drawing, const Points& curve, double dpi) {
+Ink inkAlong(const QImage& picture, const Drawing& drawing, const Points& curve, double dpi) {
     constexpr int kWhite = 250;
     constexpr int kSamples = 4000;
     const double pixel = 25.4 / dpi;
@@ -37,17 +37,17 @@ Distances distances(const QImage& picture, const Drawing& drawing, const Points&
         const Point at = onPage(drawing.page, p);
         inPixels.push_back({at.x / pixel, at.y / pixel});
     }
-    Distances found;
+    Ink found;
     for (int y = 0; y < picture.height(); ++y)
         for (int x = 0; x < picture.width(); ++x)
             if (qGray(picture.pixel(x, y)) < kWhite) {
                 const Point centre{x + 0.5, y + 0.5};
-                found.ofInk = std::max(found.ofInk, nearest(inPixels, centre).distance - halfPen);
+                found.distance = std::max(found.distance, nearest(inPixels, centre).distance - halfPen);
             }
     for (int i = 0; i <= kSamples; ++i) {
         const Point at = evaluate(inPixels, static_cast<double>(i) / kSamples);
         if (qGray(picture.pixel(static_cast<int>(at.x), static_cast<int>(at.y))) >= kWhite)
-            found.ofCurve = std::max(found.ofCurve, 1.0);
+            found.isWhole = false;
     }
     return found;
 }
@@ -56,10 +56,9 @@ TEST(Png, liesWithinAPixelOfTheExactCurve) {
     constexpr int kDpi = 100; // pixels are larger against the curve's errors at 300, and there are more of them
     for (const Points& curve : {kLoop, kOfDegreeSix}) {
         const Drawing drawing = drawingOfCurve(curve);
-        const Distances found =
-            distances(QImage::fromData(writePng(drawing, textSource(), kDpi)), drawing, curve, kDpi);
-        EXPECT_LE(found.ofInk, 1);
-        EXPECT_EQ(found.ofCurve, 0);
+        const Ink found = inkAlong(QImage::fromData(writePng(drawing, textSource(), kDpi)), drawing, curve, kDpi);
+        EXPECT_LE(found.distance, 1);
+        EXPECT_TRUE(found.isWhole);
     }
 }
 

@@ -12,7 +12,8 @@
 namespace kriva::ui {
 namespace {
 
-constexpr qint64 kHalfFrame = 8; ///< milliseconds: the other half is for drawing
+/// In nanoseconds an eighth of a frame: there are several such works, and drawing needs most of it.
+constexpr qint64 kQuick = 2'000'000;
 
 /// One core stays with the window, or a drag waits for results that are out of date already.
 [[nodiscard]] QThreadPool& workers() {
@@ -51,7 +52,7 @@ void LatestWork::doNow() {
     QElapsedTimer clock;
     clock.start();
     const Take take = next_()();
-    finish(take, clock.elapsed());
+    finish(take, clock.nsecsElapsed());
 }
 
 void LatestWork::doElsewhere(Work work) {
@@ -59,7 +60,7 @@ void LatestWork::doElsewhere(Work work) {
     const auto task = [self = QPointer(this), work = std::move(work)] {
         QElapsedTimer clock;
         clock.start();
-        const auto deliver = [self, take = work(), took = clock.elapsed()] {
+        const auto deliver = [self, take = work(), took = clock.nsecsElapsed()] {
             if (!self)
                 return;
             self->isWorking_ = false;
@@ -73,8 +74,8 @@ void LatestWork::doElsewhere(Work work) {
     workers().start(task);
 }
 
-void LatestWork::finish(const Take& take, qint64 milliseconds) {
-    isQuick_ = milliseconds < kHalfFrame;
+void LatestWork::finish(const Take& take, qint64 nanoseconds) {
+    isQuick_ = nanoseconds < kQuick;
     take();
 }
 

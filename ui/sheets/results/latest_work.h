@@ -8,7 +8,7 @@
 namespace kriva::ui {
 
 /// Something worked out again after every change: once per turn of the event loop, and on another thread where it took
-/// longer than half a frame the last time. What is out of date when it is ready is dropped.
+/// longer than an eighth of a frame the last time. What is out of date when it is ready is dropped.
 class LatestWork : public QObject {
     Q_OBJECT
   public:
@@ -28,13 +28,13 @@ class LatestWork : public QObject {
   private:
     void doNow();
     void doElsewhere(Work work);
-    void finish(const Take& take, qint64 milliseconds);
+    void finish(const Take& take, qint64 nanoseconds);
 
     std::function<Work()> next_;
     QTimer pending_;
     bool isWorking_ = false;   ///< on another thread
     bool isOutOfDate_ = false; ///< what is being worked out there
-    bool isQuick_ = false;     ///< it took less than half a frame the last time
+    bool isQuick_ = false;     ///< it took less than an eighth of a frame the last time
 };
 
 } // namespace kriva::ui

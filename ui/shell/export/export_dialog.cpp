@@ -6,7 +6,6 @@
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -40,7 +39,7 @@ ExportDialog::ExportDialog(Document document, SheetIndex sheet, const FigureFile
     , margin_(new NumberField(this))
     , size_(new QLabel(this))
     , theme_(new QComboBox(this))
-    , hasLabels_(new QCheckBox(this))
+    , hasTexts_(new QCheckBox(this))
     , layers_(new QListWidget(this))
     , holdsDocument_(new QCheckBox(this))
     , hasInkscapeLayers_(new QCheckBox(this))
@@ -50,6 +49,14 @@ ExportDialog::ExportDialog(Document document, SheetIndex sheet, const FigureFile
     , isTransparent_(new QCheckBox(this))
     , isFragment_(new QCheckBox(this))
     , buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this)) {
+    fill(options);
+    layOut();
+    connectFields();
+    retranslateUi();
+    showFormat();
+}
+
+void ExportDialog::fill(const FigureFileOptions& options) {
     for (const FigureFormat format : kFormatsInOrder)
         format_->addItem(QString(), static_cast<int>(format));
     format_->setCurrentIndex(format_->findData(static_cast<int>(options.format)));
@@ -58,8 +65,9 @@ ExportDialog::ExportDialog(Document document, SheetIndex sheet, const FigureFile
     margin_->setRange({0, kMostMargin});
     margin_->setValue(options.drawing.margin);
     width_->setRange({kLeastWidth, kMostWidth});
+    width_->setValue(options.drawing.width.value_or(kLeastWidth)); // showDrawing() tells the figure's own
     hasOwnWidth_->setChecked(options.drawing.width.has_value());
-    hasLabels_->setChecked(options.drawing.hasLabels);
+    hasTexts_->setChecked(options.drawing.hasLabels);
     holdsDocument_->setChecked(options.holdsDocument);
     hasInkscapeLayers_->setChecked(options.hasInkscapeLayers);
     isRounded_->setChecked(options.decimals.has_value());
@@ -70,11 +78,11 @@ ExportDialog::ExportDialog(Document document, SheetIndex sheet, const FigureFile
     isTransparent_->setChecked(options.isTransparent);
     isFragment_->setChecked(options.tikz == TikzKind::fragment);
     fillLayers(options.drawing);
-    width_->setValue(
-        options.drawing.width.value_or(drawingOf(document_, sheet_, textSource(), options.drawing).page.width));
+}
 
+void ExportDialog::layOut() {
     for (QWidget* field : std::initializer_list<QWidget*>{format_, hasOwnWidth_, width_, margin_, size_, theme_,
-                                                          hasLabels_, layers_, holdsDocument_, hasInkscapeLayers_,
+                                                          hasTexts_, layers_, holdsDocument_, hasInkscapeLayers_,
                                                           isRounded_, decimals_, dpi_, isTransparent_, isFragment_})
         addRow(field);
     auto* fields = new QVBoxLayout;
@@ -86,9 +94,6 @@ ExportDialog::ExportDialog(Document document, SheetIndex sheet, const FigureFile
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(both, 1);
     layout->addWidget(buttons_);
-    connectFields();
-    retranslateUi();
-    showFormat();
 }
 
 void ExportDialog::addRow(QWidget* field) {
@@ -114,7 +119,7 @@ void ExportDialog::connectFields() {
     connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::showFormat);
     connect(theme_, &QComboBox::currentIndexChanged, this, &ExportDialog::showDrawing);
     connect(layers_, &QListWidget::itemChanged, this, &ExportDialog::showDrawing);
-    for (QCheckBox* box : {hasOwnWidth_, hasLabels_, isRounded_, isTransparent_})
+    for (QCheckBox* box : {hasOwnWidth_, hasTexts_, isRounded_, isTransparent_})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::showFormat);
     for (NumberField* field : {width_, margin_, decimals_, dpi_})
         connect(field, &NumberField::valueCommitted, this, &ExportDialog::showDrawing);
@@ -123,8 +128,10 @@ void ExportDialog::connectFields() {
 }
 
 void ExportDialog::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::LanguageChange)
+    if (event->type() == QEvent::LanguageChange) {
         retranslateUi();
+        showDrawing();
+    }
     QDialog::changeEvent(event);
 }
 
@@ -147,7 +154,7 @@ void ExportDialog::retranslateUi() {
     setRowText(decimals_, tr("D&ecimals"));
     setRowText(dpi_, tr("&Dots per inch"));
     hasOwnWidth_->setText(tr("&Own width"));
-    hasLabels_->setText(tr("Labe&ls"));
+    hasTexts_->setText(tr("Text&s in the figure"));
     holdsDocument_->setText(tr("The document &goes along, to open the file again"));
     hasInkscapeLayers_->setText(tr("Layers for &Inkscape"));
     isRounded_->setText(tr("&Round coordinates"));
@@ -156,7 +163,6 @@ void ExportDialog::retranslateUi() {
     layers_->setAccessibleName(tr("Layers"));
     preview_->setAccessibleName(tr("The figure as it will be"));
     buttons_->button(QDialogButtonBox::Save)->setText(tr("E&xport…"));
-    showDrawing();
 }
 
 void ExportDialog::setRowText(QWidget* field, const QString& text) {
@@ -169,7 +175,7 @@ void ExportDialog::showFormat() {
     const FigureFormat shown = format();
     const bool isFigure = shown != FigureFormat::csv;
     for (QWidget* field :
-         std::initializer_list<QWidget*>{hasOwnWidth_, width_, margin_, size_, theme_, hasLabels_, layers_})
+         std::initializer_list<QWidget*>{hasOwnWidth_, width_, margin_, size_, theme_, hasTexts_, layers_})
         form_->setRowVisible(field, isFigure);
     for (QWidget* field : std::initializer_list<QWidget*>{holdsDocument_, hasInkscapeLayers_, isRounded_, decimals_})
         form_->setRowVisible(field, shown == FigureFormat::svg);
@@ -213,7 +219,7 @@ FigureFileOptions ExportDialog::options() const {
     if (hasOwnWidth_->isChecked())
         options.drawing.width = std::max(width_->value(), 2 * margin_->value() + kLeastWidth);
     options.drawing.layers = checkedLayers();
-    options.drawing.hasLabels = hasLabels_->isChecked();
+    options.drawing.hasLabels = hasTexts_->isChecked();
     options.drawing.theme = theme_->currentIndex() == 1 ? Theme::dark : Theme::light;
     options.holdsDocument = holdsDocument_->isChecked();
     options.hasInkscapeLayers = hasInkscapeLayers_->isChecked();

@@ -26,6 +26,8 @@ class ExportDialog : public QDialog {
     void changeEvent(QEvent* event) override;
 
   private:
+    void fill(const FigureFileOptions& options);
+    void layOut();
     void addRow(QWidget* field);
     void fillLayers(const DrawingOptions& drawing);
     void connectFields();
@@ -47,7 +49,7 @@ class ExportDialog : public QDialog {
     NumberField* margin_;
     QLabel* size_;
     QComboBox* theme_;
-    QCheckBox* hasLabels_;
+    QCheckBox* hasTexts_;
     QListWidget* layers_;
     QCheckBox* holdsDocument_;
     QCheckBox* hasInkscapeLayers_;

@@ -56,10 +56,8 @@ QString filterFor(FigureFormat format) {
 
 /// "name-elevation.svg"
 QString proposedName(const SheetEditor& editor, const QString& name, FigureFormat format) {
-    const std::string_view sheet = sheetName(editor.index());
     return QStringLiteral("%1-%2%3").arg(QFileInfo(name).completeBaseName(),
-                                         QString::fromUtf8(sheet.data(), static_cast<qsizetype>(sheet.size())),
-                                         suffixOf(format));
+                                         QString::fromUtf8(sheetName(editor.index())), suffixOf(format));
 }
 
 } // namespace
@@ -109,17 +107,20 @@ void FigureExport::write(const SheetEditor& editor, const QString& path) {
 }
 
 void FigureExport::copy(const SheetEditor& editor) const {
-    constexpr std::array kFormats{std::pair("image/svg+xml", FigureFormat::svg),
-                                  std::pair("application/pdf", FigureFormat::pdf),
-                                  std::pair("image/png", FigureFormat::png)};
-    auto clip = std::make_unique<QMimeData>();
+    const Document document = editor.documentOnView();
     FigureFileOptions options = last_[editor.index()].options;
-    for (const auto& [name, format] : kFormats) {
-        options.format = format;
-        const FigureFile made = figureFile(editor.documentOnView(), editor.index(), options);
+    const Drawing drawing = drawingOf(document, editor.index(), textSource(), options.drawing);
+    auto clip = std::make_unique<QMimeData>();
+    const auto add = [&](const char* type, const FigureFile& made) {
         if (const QByteArray* bytes = std::get_if<QByteArray>(&made))
-            clip->setData(QLatin1String(name), *bytes);
-    }
+            clip->setData(QLatin1String(type), *bytes);
+    };
+    options.format = FigureFormat::svg;
+    add("image/svg+xml", figureFile(document, editor.index(), options)); // with the document inside
+    options.format = FigureFormat::pdf;
+    add("application/pdf", drawingFile(drawing, options));
+    options.format = FigureFormat::png;
+    add("image/png", drawingFile(drawing, options));
     QGuiApplication::clipboard()->setMimeData(clip.release());
 }
 

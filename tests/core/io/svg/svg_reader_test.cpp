@@ -1,8 +1,8 @@
 #include "core/document/document_json.h"
 #include "core/document/limits.h"
 #include "core/io/open.h"
-#include "core/io/svg_reader.h"
-#include "core/io/svg_writer.h"
+#include "core/io/svg/svg_reader.h"
+#include "core/io/svg/svg_writer.h"
 #include "tests/support/any_document.h"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,8 @@
+#include "core/io/svg/xml_text.h"
 #include "core/io/utf8.h"
-#include "core/io/xml_text.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include <charconv>
-#include <cmath>
 
 namespace kriva {
 namespace {
@@ -29,33 +26,6 @@ TEST(XmlText, replacesWhatXmlDoesNotAllow) {
 
 TEST(XmlJson, writesWhatXmlDoesNotAllowAsJsonEscapes) {
     EXPECT_EQ(xmlJson("{\"a\": \"\u007f\u0085\uFFFE]]>&<\"}"), "{\"a\": \"\\u007f\\u0085\\ufffe]]&gt;&amp;&lt;\"}");
-}
-
-TEST(Utf8, readsCharactersOfAllLengths) {
-    std::vector<char32_t> codePoints;
-    forEachCharacter("a\u00e9\u20ac\U0001F642",
-                     [&](std::optional<char32_t> c, std::string_view) { codePoints.push_back(c.value()); });
-    EXPECT_EQ(codePoints, (std::vector<char32_t>{'a', 0xe9, 0x20ac, 0x1f642}));
-}
-
-TEST(PlainNumber, hasNoExponentAndNoIdleZeros) {
-    EXPECT_EQ(plainNumber(120, 11), "120");
-    EXPECT_EQ(plainNumber(0.1, 11), "0.1");
-    EXPECT_EQ(plainNumber(-0.0, 4), "0");
-    EXPECT_EQ(plainNumber(-1e-9, 4), "0");
-    EXPECT_EQ(plainNumber(1.00004999, 4), "1");
-    EXPECT_EQ(plainNumber(1e20, 0), "100000000000000000000");
-    EXPECT_EQ(plainNumber(100, 0), "100");
-}
-
-RC_GTEST_PROP(PlainNumber, isWithinHalfOfItsLastDecimal, (int whole, int billionths)) {
-    const double value = whole + billionths * 1e-9;
-    const std::string text = plainNumber(value, 6);
-    double read = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), read, std::chars_format::fixed);
-    RC_ASSERT(error == std::errc());
-    RC_ASSERT(end == text.data() + text.size());
-    RC_ASSERT(std::abs(read - value) <= 5.0001e-7 + 1e-15 * std::abs(value));
 }
 
 RC_GTEST_PROP(XmlText, holdsNoMarkupWhateverItIsGiven, (const std::string& bytes)) {

@@ -1,11 +1,6 @@
-#include "core/io/xml_text.h"
+#include "core/io/svg/xml_text.h"
 
 #include "core/io/utf8.h"
-
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 
 namespace kriva {
 namespace {
@@ -73,19 +68,6 @@ std::string xmlJson(std::string_view json) {
             appendEscaped(result, bytes);
     });
     return result;
-}
-
-std::string plainNumber(double value, int decimals) {
-    std::array<char, 400> digits; // the largest double has 309 digits before the point
-    const char* end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, decimals).ptr;
-    std::string_view text(digits.data(), static_cast<std::size_t>(end - digits.data()));
-    if (text.find('.') != std::string_view::npos) {
-        text = text.substr(0, text.find_last_not_of('0') + 1);
-        if (text.ends_with('.'))
-            text.remove_suffix(1);
-    }
-    return std::string(text == "-0" ? "0" : text);
 }
 
 } // namespace kriva

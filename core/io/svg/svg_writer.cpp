@@ -1,12 +1,13 @@
-#include "core/io/svg_writer.h"
+#include "core/io/svg/svg_writer.h"
 
 #include "core/document/document_json.h"
 #include "core/figure/color.h"
 #include "core/figure/label_placement.h"
 #include "core/figure/labels.h"
-#include "core/io/svg_namespace.h"
-#include "core/io/svg_path.h"
-#include "core/io/xml_text.h"
+#include "core/io/plain_number.h"
+#include "core/io/svg/svg_namespace.h"
+#include "core/io/svg/svg_path.h"
+#include "core/io/svg/xml_text.h"
 
 #include <set>
 

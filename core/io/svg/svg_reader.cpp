@@ -1,9 +1,9 @@
-#include "core/io/svg_reader.h"
+#include "core/io/svg/svg_reader.h"
 
 #include "core/document/document_json.h"
 #include "core/document/limits.h"
-#include "core/io/svg_namespace.h"
-#include "core/io/xml_outline.h"
+#include "core/io/svg/svg_namespace.h"
+#include "core/io/svg/xml_outline.h"
 
 #include <pugixml.hpp>
 

@@ -1,6 +1,6 @@
 #include "core/document/document_json.h"
 #include "core/figure/labels.h"
-#include "core/io/svg_writer.h"
+#include "core/io/svg/svg_writer.h"
 #include "tests/support/any_document.h"
 
 #include <gtest/gtest.h>

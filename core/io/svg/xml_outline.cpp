@@ -1,4 +1,4 @@
-#include "core/io/xml_outline.h"
+#include "core/io/svg/xml_outline.h"
 
 #include "core/document/limits.h"
 

@@ -1,11 +1,10 @@
-#include "core/io/tikz_writer.h"
+#include "core/io/latex/tikz_writer.h"
 
-#include "core/bezier/cubic_pieces.h"
 #include "core/figure/label_placement.h"
 #include "core/figure/labels.h"
-#include "core/io/latex_text.h"
-#include "core/io/svg_path.h"
-#include "core/io/xml_text.h"
+#include "core/io/drawn_pieces.h"
+#include "core/io/latex/latex_text.h"
+#include "core/io/plain_number.h"
 
 #include <algorithm>
 #include <map>
@@ -56,10 +55,9 @@ class TikzText {
 
     /// The name of the style with these options, made where there is none: "kriva curve", "kriva curve 2".
     std::string styleNamed(const std::string& name, const std::string& options);
-    /// "(b3)" where the point has a name, else "(12.5,7)".
+    /// Of a place on the page: "(b3)" where it has a name, else "(12.5,7)".
     [[nodiscard]] std::string coordinate(Point p) const;
-    [[nodiscard]] std::string onTexPage(Point p) const { return onTex(onPage(drawing_.page, p)); }
-    /// Of a place on the page, whose y goes down.
+    /// With TeX's y, which goes up.
     [[nodiscard]] std::string onTex(Point p) const {
         return "(" + plainNumber(p.x, kTexDecimals) + "," + plainNumber(drawing_.page.height - p.y, kTexDecimals) + ")";
     }
@@ -67,7 +65,7 @@ class TikzText {
 
     const Drawing& drawing_;
     std::vector<std::vector<PlacedLabel>> labels_;
-    std::map<Point, std::string, PointOrder> names_;
+    std::map<Point, std::string, PointOrder> names_;                   ///< of places on the page
     std::map<std::string, std::map<std::string, std::string>> styles_; ///< by name and options: what it is called
     std::string coordinates_;
     std::string definitions_;
@@ -104,24 +102,21 @@ void TikzText::nameCoordinates() {
         for (const Label& label : layer.labels) {
             // "b" and "3"; what has brackets in its name, or none, is no name for TikZ.
             const std::string name = label.text + label.subscript;
+            const Point at = onPage(drawing_.page, label.at);
             const bool isName = !label.subscript.empty() && std::ranges::all_of(name, [](char c) {
                 return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
             });
-            if (!isName || names_.contains(label.at) || !taken.insert(name).second)
+            if (!isName || names_.contains(at) || !taken.insert(name).second)
                 continue;
-            names_.emplace(label.at, name);
-            coordinates_.append("  \\coordinate (")
-                .append(name)
-                .append(") at ")
-                .append(onTexPage(label.at))
-                .append(";\n");
+            names_.emplace(at, name);
+            coordinates_.append("  \\coordinate (").append(name).append(") at ").append(onTex(at)).append(";\n");
         }
     }
 }
 
 std::string TikzText::coordinate(Point p) const {
     const auto named = names_.find(p);
-    return named == names_.end() ? onTexPage(p) : "(" + named->second + ")";
+    return named == names_.end() ? onTex(p) : "(" + named->second + ")";
 }
 
 std::string TikzText::styleNamed(const std::string& name, const std::string& options) {
@@ -162,32 +157,22 @@ void TikzText::stroke(const Stroke& stroke, std::string_view layer) {
     if (stroke.strength < 1)
         options += ", draw opacity=" + plainNumber(stroke.strength, 3);
     body_.append("  \\path[").append(styleNamed(std::string(layer), options)).append("] ");
-    body_ += coordinate(stroke.path.points.front());
-    forEachPiece(stroke.path, [this](std::span<const Point> p) { piece(p); });
+    body_ += coordinate(onPage(drawing_.page, stroke.path.points.front()));
+    forEachDrawnPiece(stroke.path, drawing_.page, [this](std::span<const Point> p) { piece(p); });
     body_.append(stroke.path.isClosed ? " -- cycle;\n" : ";\n");
 }
 
 void TikzText::piece(std::span<const Point> piece) {
-    if (piece.size() < 2)
-        return;
     const std::string end = coordinate(piece.back());
     if (piece.size() == 2) {
         body_.append(" -- ").append(end);
     } else if (piece.size() == 4) {
         curveTo(coordinate(piece[1]), coordinate(piece[2]), end);
-    } else if (piece.size() == 3) {
+    } else {
         // The cubic that is this parabola: TikZ has no parabolas of two controls.
         constexpr double kTwoThirds = 2.0 / 3;
-        const Points p{onPage(drawing_.page, piece[0]), onPage(drawing_.page, piece[1]),
-                       onPage(drawing_.page, piece[2])};
-        curveTo(onTex(lerp(p[0], p[1], kTwoThirds)), onTex(lerp(p[2], p[1], kTwoThirds)), end);
-    } else {
-        Points onThePage;
-        for (const Point p : piece)
-            onThePage.push_back(onPage(drawing_.page, p));
-        const std::vector<Cubic> cubics = cubicPieces(onThePage, {kCubicTolerance});
-        for (std::size_t i = 0; i < cubics.size(); ++i)
-            curveTo(onTex(cubics[i][1]), onTex(cubics[i][2]), i + 1 < cubics.size() ? onTex(cubics[i][3]) : end);
+        curveTo(coordinate(lerp(piece[0], piece[1], kTwoThirds)), coordinate(lerp(piece[2], piece[1], kTwoThirds)),
+                end);
     }
 }
 
@@ -205,7 +190,7 @@ void TikzText::marks(const Marks& marks, std::string_view layer) {
         options += ", draw=" + colorText(style.color) + ", line width=" + bigPoints(style.markerWidth);
     body_.append("  \\path[").append(styleNamed(std::string(layer) + " marks", options)).append("]");
     for (const Point p : marks.at)
-        mark(p, style);
+        mark(onPage(drawing_.page, p), style);
     body_ += ";\n";
 }
 

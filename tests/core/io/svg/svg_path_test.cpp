@@ -1,4 +1,4 @@
-#include "core/io/svg_path.h"
+#include "core/io/svg/svg_path.h"
 
 #include <gtest/gtest.h>
 

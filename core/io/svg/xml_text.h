@@ -13,7 +13,4 @@ namespace kriva {
 /// The text must be well-formed UTF-8.
 [[nodiscard]] std::string xmlJson(std::string_view json);
 
-/// A number in the C locale without exponent, rounded to so many decimals, without zeros at its end.
-[[nodiscard]] std::string plainNumber(double value, int decimals);
-
 } // namespace kriva

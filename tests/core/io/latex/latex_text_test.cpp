@@ -1,4 +1,4 @@
-#include "core/io/latex_text.h"
+#include "core/io/latex/latex_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/io/tikz_writer.h"
+#include "core/io/latex/tikz_writer.h"
 
 #include <gtest/gtest.h>
 
