@@ -2284,7 +2284,7 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
     <message>
         <source>Text&amp;s in the figure</source>
-        <translation>Besed&amp;ila na sliki</translation>
+        <translation>Besedil&amp;a na sliki</translation>
     </message>
     <message>
         <source>Layers for &amp;Inkscape</source>

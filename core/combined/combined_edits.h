@@ -3,8 +3,10 @@
 #include "core/combined/combined_curve.h"
 #include "core/document/editing/edited.h"
 #include "core/document/editing/grip.h"
+#include "core/figure/figure.h"
 
 #include <optional>
+#include <utility>
 
 /// The edits of a combined curve. Every sheet's curve has the same set, found by overloading; what follows that set is
 /// this sheet's own. Corrections follow their pairs; those of pairs that an edit takes apart are dropped.
@@ -36,6 +38,10 @@ namespace kriva {
 [[nodiscard]] CombinedCurve withGripsMoved(const CombinedCurve& curve, std::span<const GripId> ids, Vector by);
 [[nodiscard]] Edited<CombinedCurve> withPointAdded(CombinedCurve curve, Point at);
 [[nodiscard]] CombinedCurve withPointsAdded(CombinedCurve curve, std::span<const Point> points);
+/// The points of the path behind its own: see pointsOf().
+[[nodiscard]] inline CombinedCurve withPathAdded(CombinedCurve curve, const Path& path) {
+    return withPointsAdded(std::move(curve), pointsOf(path));
+}
 /// The points of another curve behind its own, with the corrections of their pairs.
 [[nodiscard]] CombinedCurve appended(CombinedCurve curve, const CombinedCurve& other);
 /// `indices` ascending.

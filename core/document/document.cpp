@@ -122,6 +122,10 @@ Curve withPointsAdded(Curve curve, std::span<const Point> points) {
     return std::visit([&](auto& c) { return Curve(withPointsAdded(std::move(c), points)); }, curve);
 }
 
+Curve withPathAdded(Curve curve, const Path& path) {
+    return std::visit([&](auto& c) { return Curve(withPathAdded(std::move(c), path)); }, curve);
+}
+
 Curve appended(Curve curve, const Curve& other) {
     return std::visit([&]<class C>(C& c) { return Curve(appended(std::move(c), std::get<C>(other))); }, curve);
 }

@@ -69,6 +69,8 @@ template <class C>
 /// By value, so that adding many to a moved curve copies nothing.
 [[nodiscard]] Edited<Curve> withPointAdded(Curve curve, Point at);
 [[nodiscard]] Curve withPointsAdded(Curve curve, std::span<const Point> points);
+/// A path behind its own points: splines take its pieces as they are, the others its points.
+[[nodiscard]] Curve withPathAdded(Curve curve, const Path& path);
 /// The points of another curve of the same kind behind its own, with all that belongs to them.
 [[nodiscard]] Curve appended(Curve curve, const Curve& other);
 /// A point more near a place of the curve that keeps its shape; nothing where the curve has no room for one.

@@ -34,6 +34,9 @@ enum class FileProblem {
     internalSubset,    ///< an XML file that declares things of its own
     tooManyElements,   ///< of an XML file, more than numbers[0]
     tooManyAttributes, ///< of one tag, more than numbers[0]
+    notPathData,       ///< of an SVG path
+    badAttribute,      ///< words: its name in an element of an SVG file
+    noPaths,           ///< an SVG file that draws no lines
 };
 
 /// Why a file was refused, and where: a path into the document (`sheets.spline.curves[0].knots[3].at`) or, where it

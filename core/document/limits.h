@@ -23,5 +23,6 @@ inline constexpr std::size_t kReportedSegments = 20'000;
 inline constexpr int kXmlNesting = 256;
 inline constexpr int kXmlElements = 1'000'000;
 inline constexpr int kXmlAttributes = 1'000; ///< in one tag
+inline constexpr int kSvgUses = 16;          ///< of an SVG file, one inside another
 
 } // namespace kriva::limits

@@ -3,8 +3,10 @@
 #include "core/document/editing/edited.h"
 #include "core/document/editing/grip.h"
 #include "core/elevation/elevation.h"
+#include "core/figure/figure.h"
 
 #include <optional>
+#include <utility>
 
 /// The edits of an elevation curve. Every sheet's curve has the same set, found by overloading.
 namespace kriva {
@@ -35,6 +37,10 @@ namespace kriva {
 [[nodiscard]] ElevationCurve withGripsMoved(const ElevationCurve& curve, std::span<const GripId> ids, Vector by);
 [[nodiscard]] Edited<ElevationCurve> withPointAdded(ElevationCurve curve, Point at);
 [[nodiscard]] ElevationCurve withPointsAdded(ElevationCurve curve, std::span<const Point> points);
+/// The points of the path behind its own: see pointsOf().
+[[nodiscard]] inline ElevationCurve withPathAdded(ElevationCurve curve, const Path& path) {
+    return withPointsAdded(std::move(curve), pointsOf(path));
+}
 /// The points of another curve behind its own, with all that belongs to them.
 [[nodiscard]] ElevationCurve appended(ElevationCurve curve, const ElevationCurve& other);
 /// `indices` ascending. The degree falls.

@@ -29,6 +29,16 @@ Path chain(const std::vector<Points>& pieces, bool isClosed) {
     return path;
 }
 
+Points pointsOf(const Path& path) {
+    if (path.degrees.size() <= 1)
+        return path.points;
+    Points points{path.points.front()};
+    forEachPiece(path, [&](std::span<const Point> piece) { points.push_back(piece.back()); });
+    if (path.isClosed)
+        points.pop_back();
+    return points;
+}
+
 Figure styled(Figure figure, const CurveStyle& style) {
     for (Layer& layer : figure.layers) {
         if (!style.hasLabels)

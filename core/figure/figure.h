@@ -48,6 +48,7 @@ enum class Role {
 }
 
 /// A chain of Bézier pieces of any degrees: piece i has degrees[i] + 1 points and starts where the one before ended.
+/// One that is closed ends where it started.
 struct Path {
     Points points;
     std::vector<int> degrees;
@@ -72,6 +73,10 @@ void forEachPiece(const Path& path, Visit visit) {
         start += static_cast<std::size_t>(degree);
     }
 }
+
+/// The points of a path for curves that take nothing but points: of a single piece its control points, of more the
+/// places where they begin and end, a closed path's start once. Without pieces, its points.
+[[nodiscard]] Points pointsOf(const Path& path);
 
 struct Stroke {
     Path path;

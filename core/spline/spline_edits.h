@@ -2,6 +2,7 @@
 
 #include "core/document/editing/edited.h"
 #include "core/document/editing/grip.h"
+#include "core/figure/figure.h"
 #include "core/spline/spline.h"
 
 /// The edits of a spline that every sheet's curve has, found by overloading; joins.h and chain_edits.h hold the
@@ -38,6 +39,11 @@ namespace kriva {
 [[nodiscard]] Edited<SplineCurve> withPointAdded(SplineCurve curve, Point at);
 /// Automatic knots behind the last one.
 [[nodiscard]] SplineCurve withPointsAdded(SplineCurve curve, std::span<const Point> points);
+/// The path itself behind its own knots, with its handles: cubic, of lines with retracted handles, higher degrees
+/// within a billionth of their size. A closed path closes a curve that had no knots before; gaps and pieces below a
+/// millionth of its diagonal, which are roundings of its file, are left out. Joins where the handles lie on one line
+/// are smooth, and symmetric where they are of one length. A path without pieces brings automatic knots.
+[[nodiscard]] SplineCurve withPathAdded(SplineCurve curve, const Path& path);
 /// The knots of another curve behind its own, with their joins and stored handles; their inner points too where both
 /// curves are of one degree.
 [[nodiscard]] SplineCurve appended(SplineCurve curve, const SplineCurve& other);

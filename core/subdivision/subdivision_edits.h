@@ -2,11 +2,13 @@
 
 #include "core/document/editing/edited.h"
 #include "core/document/editing/grip.h"
+#include "core/figure/figure.h"
 #include "core/subdivision/subdivision.h"
 
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
 
 /// The edits of a subdivision curve. Every sheet's curve has the same set, found by overloading; what follows that set
 /// is this sheet's own. Multiplicities follow their points; the blossom always keeps as many arguments as the degree:
@@ -39,6 +41,10 @@ namespace kriva {
 [[nodiscard]] Edited<SubdivisionCurve> withPointAdded(SubdivisionCurve curve, Point at);
 /// Each stands once.
 [[nodiscard]] SubdivisionCurve withPointsAdded(SubdivisionCurve curve, std::span<const Point> points);
+/// The points of the path behind its own: see pointsOf().
+[[nodiscard]] inline SubdivisionCurve withPathAdded(SubdivisionCurve curve, const Path& path) {
+    return withPointsAdded(std::move(curve), pointsOf(path));
+}
 /// The points of another curve behind its own, with their multiplicities.
 [[nodiscard]] SubdivisionCurve appended(SubdivisionCurve curve, const SubdivisionCurve& other);
 /// `indices` ascending. The degree falls.

@@ -85,6 +85,12 @@ QString Errors::reason(const FileError& error) {
         return tr("more than %1 elements are too many").arg(number(error, 0));
     case FileProblem::tooManyAttributes:
         return tr("more than %1 attributes are too many").arg(number(error, 0));
+    case FileProblem::notPathData:
+        return tr("this is no path data");
+    case FileProblem::badAttribute:
+        return tr("the attribute “%1” cannot be read").arg(words(error));
+    case FileProblem::noPaths:
+        return tr("there is no path to import");
     }
     return {};
 }

@@ -1,28 +1,11 @@
 #include "core/io/svg/svg_reader.h"
 
 #include "core/document/document_json.h"
-#include "core/document/limits.h"
 #include "core/io/svg/svg_namespace.h"
-#include "core/io/svg/xml_outline.h"
-
-#include <pugixml.hpp>
+#include "core/io/svg/svg_xml.h"
 
 namespace kriva {
 namespace {
-
-/// "kriva:document" is "kriva" and "document".
-struct QualifiedName {
-    std::string_view prefix;
-    std::string_view local;
-};
-
-QualifiedName nameOf(const pugi::xml_node& node) {
-    const std::string_view name = node.name();
-    const std::size_t colon = name.find(':');
-    if (colon == std::string_view::npos)
-        return {"", name};
-    return {name.substr(0, colon), name.substr(colon + 1)};
-}
 
 std::string_view namespaceOf(pugi::xml_node node) {
     const std::string_view prefix = nameOf(node).prefix;
@@ -57,19 +40,9 @@ std::string textOf(const pugi::xml_node& element) {
 } // namespace
 
 std::variant<Document, FileError> readDocumentFromSvg(std::string_view svg) {
-    if (svg.size() > limits::kFileBytes) {
-        FileError error;
-        error.problem = FileProblem::tooLarge;
-        error.numbers = {static_cast<double>(limits::kFileBytes)};
-        return error;
-    }
-    if (std::optional<FileError> error = xmlLimitError(svg))
-        return std::move(*error);
     pugi::xml_document xml;
-    const pugi::xml_parse_result parsed =
-        xml.load_buffer(svg.data(), svg.size(), pugi::parse_default, pugi::encoding_utf8);
-    if (!parsed)
-        return errorAtByte(FileProblem::notXml, svg, static_cast<std::size_t>(parsed.offset));
+    if (std::optional<FileError> error = openSvg(svg, xml))
+        return std::move(*error);
     const pugi::xml_node element = documentElement(xml.document_element());
     if (!element) {
         FileError error;

@@ -1,0 +1,33 @@
+#include "core/exchange/imported.h"
+
+#include "core/document/limit_check.h"
+#include "core/document/limits.h"
+#include "core/geometry/affine.h"
+
+namespace kriva {
+
+std::variant<std::vector<Curve>, FileError> importedCurves(std::span<const ImportedPath> paths, SheetIndex sheet,
+                                                           const Placing& placing) {
+    const Affine map = translation(placing.offset) * scaling(placing.scale, placing.scale);
+    if (paths.size() > limits::kCurvesInSheet)
+        return tooManyCurves(sheet, limits::kCurvesInSheet);
+    Sheet gathered;
+    for (const ImportedPath& imported : paths) {
+        Path path = imported.path;
+        for (Point& p : path.points)
+            p = map(p);
+        Curve curve = withPathAdded(renamed(emptyCurve(sheet), imported.name), path);
+        if (std::optional<FileError> error = limitErrorWith({}, sheet, {}, curve)) {
+            error->place.clear();
+            appendKey(error->place, "curves");
+            appendPosition(error->place, gathered.curves.size());
+            return std::move(*error);
+        }
+        gathered.curves.push_back(std::move(curve));
+    }
+    if (std::optional<FileError> error = sheetLimitError(gathered, sheet))
+        return std::move(*error);
+    return std::move(gathered.curves);
+}
+
+} // namespace kriva

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/document/document.h"
+#include "core/io/svg/svg_paths.h"
+
+namespace kriva {
+
+/// Where imported paths go: first scaled from the origin, then moved.
+struct Placing {
+    double scale = 1;
+    Vector offset;
+    friend constexpr bool operator==(const Placing&, const Placing&) = default;
+};
+
+/// A curve of the sheet's kind for each path, with its name. Refused beyond the limits of the model, at the place of
+/// the curve ("curves[3]") or of the sheet.
+[[nodiscard]] std::variant<std::vector<Curve>, FileError> importedCurves(std::span<const ImportedPath> paths,
+                                                                         SheetIndex sheet, const Placing& placing = {});
+
+} // namespace kriva

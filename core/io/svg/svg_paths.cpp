@@ -1,0 +1,281 @@
+#include "core/io/svg/svg_paths.h"
+
+#include "core/document/limits.h"
+#include "core/io/svg/svg_scanner.h"
+#include "core/io/svg/svg_shapes.h"
+#include "core/io/svg/svg_transform.h"
+#include "core/io/svg/svg_xml.h"
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+#include <utility>
+
+namespace kriva {
+namespace {
+
+FileError tooMany(FileProblem problem, double limit) {
+    FileError error;
+    error.problem = problem;
+    error.numbers = {limit};
+    return error;
+}
+
+/// Names of elements that are drawn where another one refers to them, or that draw no lines.
+bool isDrawnElsewhere(std::string_view name) {
+    constexpr std::array<std::string_view, 8> kNames{"defs",   "symbol",  "clipPath", "mask",
+                                                     "marker", "pattern", "metadata", "glyph"};
+    return std::ranges::find(kNames, name) != kNames.end();
+}
+
+bool isDisplayed(const pugi::xml_node& element) {
+    if (element.attribute("display").value() == std::string_view("none"))
+        return false;
+    std::string style = element.attribute("style").value();
+    std::erase_if(style, [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; });
+    return style.find("display:none") == std::string::npos;
+}
+
+/// "0 0 100 50"
+struct ViewBox {
+    double x = 0;
+    double y = 0;
+    double width = 0;
+    double height = 0;
+};
+
+class SvgPaths {
+  public:
+    SvgPaths(std::string_view svg, const pugi::xml_node& root)
+        : svg_(svg)
+        , root_(root) {}
+
+    [[nodiscard]] std::variant<std::vector<ImportedPath>, FileError> read() &&;
+
+  private:
+    /// What elements inherit.
+    struct Place {
+        Affine map;
+        SvgViewport viewport;
+        std::string name;
+        int uses = 0; ///< around it
+    };
+
+    // Each of these gives false where there is a fault.
+    bool children(const pugi::xml_node& parent, const Place& place);
+    bool element(const pugi::xml_node& element, Place place);
+    bool use(const pugi::xml_node& element, Place place);
+    /// A nested `svg` or a `symbol`, in a viewport of this size where one is given.
+    bool nested(const pugi::xml_node& element, Place place, std::optional<SvgViewport> size);
+    bool shape(const pugi::xml_node& element, const Place& place);
+    bool refuse(const pugi::xml_node& element, std::string_view attribute);
+    bool refuse(FileError error) {
+        fault_ = std::move(error);
+        return false;
+    }
+
+    [[nodiscard]] pugi::xml_node named(std::string_view id);
+    /// A length of an element, `otherwise` where it is missing; nothing where it cannot be read, which is told.
+    std::optional<double> length(const pugi::xml_node& element, const char* name, double whole, double otherwise);
+    /// Nothing where there is none; false where it cannot be read.
+    bool viewBoxOf(const pugi::xml_node& element, std::optional<ViewBox>& box);
+
+    std::string_view svg_;
+    const pugi::xml_node& root_;
+    std::vector<ImportedPath> paths_;
+    std::optional<FileError> fault_;
+    std::unordered_map<std::string_view, pugi::xml_node> ids_; ///< of all elements, made when one is asked for
+    int visited_ = 0;
+    std::size_t points_ = 0;
+};
+
+std::variant<std::vector<ImportedPath>, FileError> SvgPaths::read() && {
+    constexpr SvgViewport kUsual{300, 150}; // of a page that says nothing
+    Place place;
+    place.map = scaling(1, -1);
+    std::optional<ViewBox> box;
+    if (!viewBoxOf(root_, box))
+        return std::move(*fault_);
+    if (box)
+        place.viewport = {box->width, box->height};
+    else
+        place.viewport = {readLength(root_.attribute("width").value(), kUsual.width).value_or(kUsual.width),
+                          readLength(root_.attribute("height").value(), kUsual.height).value_or(kUsual.height)};
+    if (!children(root_, place))
+        return std::move(*fault_);
+    if (paths_.empty()) {
+        FileError error;
+        error.problem = FileProblem::noPaths;
+        return error;
+    }
+    return std::move(paths_);
+}
+
+bool SvgPaths::children(const pugi::xml_node& parent, const Place& place) {
+    return std::ranges::all_of(parent.children(), [&](const pugi::xml_node& child) {
+        return child.type() != pugi::node_element || isDrawnElsewhere(nameOf(child).local) || element(child, place);
+    });
+}
+
+bool SvgPaths::element(const pugi::xml_node& element, Place place) {
+    if (++visited_ > limits::kXmlElements)
+        return refuse(tooMany(FileProblem::tooManyElements, limits::kXmlElements));
+    const auto [prefix, name] = nameOf(element);
+    if (prefix != nameOf(root_).prefix || !isDisplayed(element)) // another vocabulary, or nothing to see
+        return true;
+    if (const pugi::xml_attribute transform = element.attribute("transform")) {
+        const std::optional<Affine> read = readTransform(transform.value());
+        if (!read)
+            return refuse(element, "transform");
+        place.map = place.map * *read;
+    }
+    if (const pugi::xml_attribute label = element.attribute("inkscape:label"))
+        place.name = label.value();
+    if (name == "use")
+        return use(element, std::move(place));
+    if (name == "svg")
+        return nested(element, std::move(place), {});
+    if (name == "g" || name == "a" || name == "switch")
+        return children(element, place);
+    return shape(element, place);
+}
+
+bool SvgPaths::use(const pugi::xml_node& element, Place place) {
+    std::string_view reference = element.attribute("href").value();
+    if (reference.empty())
+        reference = element.attribute("xlink:href").value();
+    const pugi::xml_node target = reference.starts_with('#') ? named(reference.substr(1)) : pugi::xml_node();
+    if (!target)
+        return true; // elsewhere, or nowhere: it draws nothing
+    if (++place.uses > limits::kSvgUses)
+        return refuse(tooMany(FileProblem::nestedTooDeep, limits::kSvgUses));
+    const SvgViewport& viewport = place.viewport;
+    const auto x = length(element, "x", viewport.width, 0);
+    const auto y = length(element, "y", viewport.height, 0);
+    const auto width = length(element, "width", viewport.width, viewport.width);
+    const auto height = length(element, "height", viewport.height, viewport.height);
+    if (!x || !y || !width || !height)
+        return false;
+    place.map = place.map * translation({*x, *y});
+    const std::string_view name = nameOf(target).local;
+    if (name != "symbol")
+        return this->element(target, std::move(place));
+    return nested(target, std::move(place), SvgViewport{*width, *height});
+}
+
+bool SvgPaths::nested(const pugi::xml_node& element, Place place, std::optional<SvgViewport> size) {
+    const SvgViewport outer = place.viewport;
+    if (!size) {
+        const auto x = length(element, "x", outer.width, 0);
+        const auto y = length(element, "y", outer.height, 0);
+        const auto width = length(element, "width", outer.width, outer.width);
+        const auto height = length(element, "height", outer.height, outer.height);
+        if (!x || !y || !width || !height)
+            return false;
+        place.map = place.map * translation({*x, *y});
+        size = SvgViewport{*width, *height};
+    }
+    place.viewport = *size;
+    std::optional<ViewBox> box;
+    if (!viewBoxOf(element, box))
+        return false;
+    if (box) {
+        double scaleX = size->width / box->width;
+        double scaleY = size->height / box->height;
+        Vector room;
+        // The whole box in the middle; other ways of preserveAspectRatio are rare and move the picture as a whole.
+        if (element.attribute("preserveAspectRatio").value() != std::string_view("none")) {
+            scaleX = scaleY = std::min(scaleX, scaleY);
+            room = {(size->width - scaleX * box->width) / 2, (size->height - scaleY * box->height) / 2};
+        }
+        place.map = place.map * translation(room) * scaling(scaleX, scaleY) * translation({-box->x, -box->y});
+        place.viewport = {box->width, box->height};
+    }
+    return children(element, place);
+}
+
+bool SvgPaths::shape(const pugi::xml_node& element, const Place& place) {
+    auto read = subpathsOf(element, place.viewport);
+    if (const AttributeFault* fault = std::get_if<AttributeFault>(&read))
+        return refuse(element, fault->attribute);
+    for (Path& path : std::get<std::vector<Path>>(read)) {
+        for (Point& p : path.points) {
+            p = place.map(p);
+            if (!isWithin(p, limits::kNumber))
+                return refuse(element, "transform");
+        }
+        points_ += path.points.size();
+        if (points_ > limits::kPointsInSheet)
+            return refuse(tooMany(FileProblem::tooMany, static_cast<double>(limits::kPointsInSheet)));
+        paths_.push_back({place.name, std::move(path)});
+    }
+    return true;
+}
+
+bool SvgPaths::refuse(const pugi::xml_node& element, std::string_view attribute) {
+    FileError error = errorAtByte(FileProblem::badAttribute, svg_, static_cast<std::size_t>(element.offset_debug()));
+    error.words = {std::string(attribute)};
+    return refuse(std::move(error));
+}
+
+pugi::xml_node SvgPaths::named(std::string_view id) {
+    if (ids_.empty()) {
+        struct Gather : pugi::xml_tree_walker {
+            std::unordered_map<std::string_view, pugi::xml_node>& ids;
+            explicit Gather(std::unordered_map<std::string_view, pugi::xml_node>& to)
+                : ids(to) {}
+            bool for_each(pugi::xml_node& node) override {
+                if (const pugi::xml_attribute attribute = node.attribute("id"))
+                    ids.emplace(attribute.value(), node);
+                return true;
+            }
+        };
+        Gather gather(ids_);
+        pugi::xml_node root = root_;
+        root.traverse(gather);
+    }
+    const auto found = ids_.find(id);
+    return found == ids_.end() ? pugi::xml_node() : found->second;
+}
+
+std::optional<double> SvgPaths::length(const pugi::xml_node& element, const char* name, double whole,
+                                       double otherwise) {
+    const pugi::xml_attribute attribute = element.attribute(name);
+    if (!attribute || attribute.value() == std::string_view("auto"))
+        return otherwise;
+    const std::optional<double> read = readLength(attribute.value(), whole);
+    if (!read)
+        refuse(element, name);
+    return read;
+}
+
+bool SvgPaths::viewBoxOf(const pugi::xml_node& element, std::optional<ViewBox>& box) {
+    const pugi::xml_attribute attribute = element.attribute("viewBox");
+    if (!attribute)
+        return true;
+    SvgScanner scanner(attribute.value());
+    scanner.skipBlanks();
+    std::array<double, 4> numbers{};
+    for (double& number : numbers) {
+        const std::optional<double> read = scanner.number();
+        if (!read)
+            return refuse(element, "viewBox");
+        number = *read;
+    }
+    if (!scanner.isAtEnd() || !(numbers[2] > 0 && numbers[3] > 0))
+        return refuse(element, "viewBox");
+    box = ViewBox{numbers[0], numbers[1], numbers[2], numbers[3]};
+    return true;
+}
+
+} // namespace
+
+std::variant<std::vector<ImportedPath>, FileError> readSvgPaths(std::string_view svg) {
+    pugi::xml_document xml;
+    if (std::optional<FileError> error = openSvg(svg, xml))
+        return std::move(*error);
+    const pugi::xml_node root = xml.document_element();
+    return SvgPaths(svg, root).read();
+}
+
+} // namespace kriva

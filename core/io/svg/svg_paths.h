@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/document/file_error.h"
+#include "core/figure/figure.h"
+
+#include <string>
+#include <variant>
+
+namespace kriva {
+
+/// A path out of a file, in document coordinates.
+struct ImportedPath {
+    std::string name; ///< what a person called it; empty where nobody did
+    Path path;
+    friend bool operator==(const ImportedPath&, const ImportedPath&) = default;
+};
+
+/// Everything that an SVG file draws as lines, one path for each subpath, in the order of drawing: paths with all
+/// their commands, the basic shapes, `use` and nested viewports, with all transforms done. Coordinates are user units
+/// of the outermost `svg`, with y up. What is not displayed is left out. Style sheets and clips are not looked at.
+/// Refused where a shape cannot be read, at the line of its element, beyond the limits of sheets and of XML, and where
+/// nothing is drawn. Linear in what is drawn.
+[[nodiscard]] std::variant<std::vector<ImportedPath>, FileError> readSvgPaths(std::string_view svg);
+
+} // namespace kriva

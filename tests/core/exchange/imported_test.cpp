@@ -1,0 +1,53 @@
+#include "core/document/limits.h"
+#include "core/exchange/imported.h"
+
+#include <gtest/gtest.h>
+
+namespace kriva {
+namespace {
+
+constexpr SheetIndex kElevation = 0;
+constexpr SheetIndex kSpline = 2;
+constexpr SheetIndex kCombined = 3;
+
+const Path kCubic{{{0, 0}, {1, 2}, {3, 2}, {4, 0}}, {3}, false};
+const Path kChain{{{0, 0}, {1, 2}, {3, 2}, {4, 0}, {5, 0}}, {3, 1}, false};
+
+std::vector<Curve> curvesOf(const std::vector<ImportedPath>& paths, SheetIndex sheet, const Placing& placing = {}) {
+    auto curves = importedCurves(paths, sheet, placing);
+    EXPECT_TRUE(std::holds_alternative<std::vector<Curve>>(curves));
+    return std::get<std::vector<Curve>>(std::move(curves));
+}
+
+TEST(ImportedCurves, areWhatTheSheetMakesOfThem) {
+    EXPECT_EQ(std::get<ElevationCurve>(curvesOf({{"a", kCubic}}, kElevation).front()).points, kCubic.points);
+    EXPECT_EQ(std::get<ElevationCurve>(curvesOf({{"a", kChain}}, kElevation).front()).points,
+              (Points{{0, 0}, {4, 0}, {5, 0}}));
+    EXPECT_EQ(std::get<CombinedCurve>(curvesOf({{"a", kChain}}, kCombined).front()).points,
+              (Points{{0, 0}, {4, 0}, {5, 0}}));
+    const Curve spline = curvesOf({{"Arc", kChain}}, kSpline).front();
+    EXPECT_EQ(nameOf(spline), "Arc");
+    EXPECT_EQ(segmentsOf(std::get<SplineCurve>(spline)).front(), kCubic.points);
+}
+
+TEST(ImportedCurves, areScaledFirstAndThenMoved) {
+    const Curve curve = curvesOf({{"", kCubic}}, kElevation, {2, {10, -1}}).front();
+    EXPECT_EQ(std::get<ElevationCurve>(curve).points, (Points{{10, -1}, {12, 3}, {16, 3}, {18, -1}}));
+}
+
+TEST(ImportedCurves, areRefusedBeyondTheLimitsWithTheirPlace) {
+    const auto faultOf = [](const std::vector<ImportedPath>& paths, SheetIndex sheet, const Placing& placing = {}) {
+        return std::get<FileError>(importedCurves(paths, sheet, placing));
+    };
+    const Path many{Points(limits::kControlPoints + 1), {}, false};
+    const FileError tooLong = faultOf({{"", kCubic}, {"", many}}, kElevation);
+    EXPECT_EQ(tooLong.problem, FileProblem::tooMany);
+    EXPECT_EQ(tooLong.place, "curves[1]");
+    EXPECT_EQ(tooLong.numbers, std::vector{static_cast<double>(limits::kControlPoints)});
+    EXPECT_EQ(faultOf({{"", kCubic}}, kSpline, {1e9, {}}).problem, FileProblem::numberOutOfRange);
+    EXPECT_EQ(faultOf(std::vector<ImportedPath>(limits::kCurvesInSheet + 1, {"", kCubic}), kSpline).place,
+              "sheets.spline.curves");
+}
+
+} // namespace
+} // namespace kriva

@@ -1,0 +1,145 @@
+#include "core/document/limits.h"
+#include "core/io/svg/svg_paths.h"
+
+#include <gtest/gtest.h>
+
+namespace kriva {
+namespace {
+
+std::string around(std::string_view inside) {
+    return std::string("<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' "
+                       "xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape' viewBox='0 0 200 100'>\n")
+        .append(inside)
+        .append("</svg>");
+}
+
+std::vector<ImportedPath> read(std::string_view inside) {
+    auto paths = readSvgPaths(around(inside));
+    const FileError* error = std::get_if<FileError>(&paths);
+    EXPECT_FALSE(error) << inside;
+    return error ? std::vector<ImportedPath>() : std::get<std::vector<ImportedPath>>(std::move(paths));
+}
+
+Points pointsOfFirst(std::string_view inside) {
+    const std::vector<ImportedPath> paths = read(inside);
+    return paths.empty() ? Points() : paths.front().path.points;
+}
+
+FileError faultOf(std::string_view inside) {
+    const auto paths = readSvgPaths(around(inside));
+    const FileError* error = std::get_if<FileError>(&paths);
+    EXPECT_TRUE(error) << inside;
+    return error ? *error : FileError{};
+}
+
+TEST(SvgPaths, hasYUpAndOnePathForEachSubpath) {
+    const std::vector<ImportedPath> paths = read("<path d='M1 2L3 4M5 6Q7 8 9 10'/>");
+    ASSERT_EQ(paths.size(), 2);
+    EXPECT_EQ(paths[0].path, (Path{{{1, -2}, {3, -4}}, {1}, false}));
+    EXPECT_EQ(paths[1].path, (Path{{{5, -6}, {7, -8}, {9, -10}}, {2}, false}));
+}
+
+TEST(SvgPaths, readsTheBasicShapes) {
+    EXPECT_EQ(pointsOfFirst("<line x1='1' y1='2' x2='3' y2='4'/>"), (Points{{1, -2}, {3, -4}}));
+    EXPECT_EQ(pointsOfFirst("<polyline points='0,0 1,0,1 1'/>"), (Points{{0, 0}, {1, 0}, {1, -1}}));
+    EXPECT_EQ(pointsOfFirst("<polygon points='0 0 1 0 1 1'/>"), (Points{{0, 0}, {1, 0}, {1, -1}, {0, 0}}));
+    EXPECT_EQ(pointsOfFirst("<rect x='1' y='2' width='3' height='4'/>"),
+              (Points{{1, -2}, {4, -2}, {4, -6}, {1, -6}, {1, -2}}));
+    const Path circle = read("<circle cx='5' cy='6' r='2'/>").front().path;
+    EXPECT_TRUE(circle.isClosed);
+    EXPECT_EQ(circle.points.front(), (Point{7, -6}));
+    const Path ellipse = read("<ellipse cx='5' cy='6' rx='2' ry='1'/>").front().path;
+    EXPECT_NEAR(boxOf(ellipse.points).height(), 2, 1e-3);
+    // Round corners: one radius stands for both, and neither is more than half a side.
+    EXPECT_EQ(pointsOfFirst("<rect width='10' height='4' rx='1'/>").front(), (Point{1, 0}));
+    EXPECT_EQ(pointsOfFirst("<rect width='10' height='4' ry='9' rx='2'/>").front(), (Point{2, 0}));
+    EXPECT_TRUE(read("<rect width='4' height='4' rx='2'/>").front().path.isClosed);
+}
+
+TEST(SvgPaths, leavesOutWhatHasNoSizeOrIsNotDisplayed) {
+    EXPECT_EQ(read("<rect width='0' height='4'/><circle r='0'/><path d=''/><path d='M0 0'/>"
+                   "<g display='none'><path d='M0 0h1'/></g><path style='fill:red; display : none' d='M0 0h1'/>"
+                   "<defs><path d='M0 0h1'/></defs><symbol><path d='M0 0h1'/></symbol><clipPath><path d='M0 0h1'/>"
+                   "</clipPath><inkscape:path d='M0 0h1'/><text>M0 0h1</text><line x2='7'/>")
+                  .size(),
+              1);
+}
+
+TEST(SvgPaths, doesAllTransformsAround) {
+    EXPECT_EQ(pointsOfFirst("<g transform='translate(10 20)'><a><path transform='scale(2)' d='M0 0L1 1'/></a></g>"),
+              (Points{{10, -20}, {12, -22}}));
+}
+
+TEST(SvgPaths, followsUse) {
+    const std::string_view inside = "<defs><g id='g'><path id='p' d='M0 0h1'/></g>"
+                                    "<symbol id='s' viewBox='0 0 10 10'><path d='M0 0h10'/></symbol></defs>";
+    const auto used = [&](std::string_view use) { return pointsOfFirst(std::string(inside).append(use)); };
+    EXPECT_EQ(used("<use href='#p' x='5' y='6'/>"), (Points{{5, -6}, {6, -6}}));
+    EXPECT_EQ(used("<use xlink:href='#g' transform='scale(3)'/>"), (Points{{0, 0}, {3, 0}}));
+    EXPECT_EQ(used("<use href='#s' width='20' height='40'/>"), (Points{{0, -10}, {20, -10}}));
+    EXPECT_EQ(faultOf("<use href='#missing'/><use href='other.svg#p'/>").problem, FileProblem::noPaths);
+}
+
+TEST(SvgPaths, refusesToGoRoundInCircles) {
+    const FileError circle = faultOf("<g id='a'><use href='#a'/></g>");
+    EXPECT_EQ(circle.problem, FileProblem::nestedTooDeep);
+    std::string inside = "<defs><path id='x0' d='M0 0h1'/>";
+    for (int i = 1; i <= 15; ++i) {
+        const std::string before = "<use href='#x" + std::to_string(i - 1) + "'/>";
+        inside += "<g id='x" + std::to_string(i) + "'>";
+        for (int k = 0; k < 10; ++k)
+            inside += before;
+        inside += "</g>";
+    }
+    EXPECT_EQ(faultOf(inside + "</defs><use href='#x15'/>").problem, FileProblem::tooManyElements);
+}
+
+TEST(SvgPaths, hasViewportsInside) {
+    EXPECT_EQ(
+        pointsOfFirst("<svg x='10' y='20' width='100' height='100' viewBox='0 0 10 10'><path d='M0 0h10'/></svg>"),
+        (Points{{10, -20}, {110, -20}}));
+    EXPECT_EQ(pointsOfFirst("<svg width='100' height='50' viewBox='0 0 10 10' preserveAspectRatio='none'>"
+                            "<path d='M0 0L10 10'/></svg>"),
+              (Points{{0, 0}, {100, -50}}));
+}
+
+TEST(SvgPaths, readsUnitsAndPerCent) {
+    EXPECT_EQ(pointsOfFirst("<line x2='1in' y2='50%'/>"), (Points{{0, 0}, {96, -50}}));
+    EXPECT_EQ(pointsOfFirst("<line x2='25.4mm' y2=' 3px '/>"), (Points{{0, 0}, {96, -3}}));
+    EXPECT_EQ(pointsOfFirst("<line x2='100%' y2='72pt'/>"), (Points{{0, 0}, {200, -96}}));
+}
+
+TEST(SvgPaths, takesTheNameThatAPersonGave) {
+    const std::vector<ImportedPath> paths =
+        read("<g inkscape:label='Layer'><path id='path12' d='M0 0h1'/><path inkscape:label='Arc' d='M0 0h1'/></g>");
+    EXPECT_EQ(paths[0].name, "Layer");
+    EXPECT_EQ(paths[1].name, "Arc");
+}
+
+TEST(SvgPaths, knowsItsOwnNamespaceByThePrefixOfItsRoot) {
+    const auto paths = readSvgPaths("<s:svg xmlns:s='http://www.w3.org/2000/svg'><s:path d='M0 0h1'/></s:svg>");
+    EXPECT_EQ(std::get<std::vector<ImportedPath>>(paths).size(), 1);
+}
+
+TEST(SvgPaths, namesTheAttributeAndTheLineOfAFault) {
+    const auto expect = [](std::string_view inside, const std::string& attribute) {
+        const FileError error = faultOf(inside);
+        EXPECT_EQ(error.problem, FileProblem::badAttribute) << inside;
+        EXPECT_EQ(error.words, std::vector{attribute});
+        EXPECT_EQ(error.line, 2);
+    };
+    expect("<path d='M0 0X'/>", "d");
+    expect("<g transform='turn(1)'/>", "transform");
+    expect("<line x1='wide'/>", "x1");
+    expect("<rect width='1furlong'/>", "width");
+    expect("<polygon points='0 0 1'/>", "points");
+    expect("<svg viewBox='0 0 -1 1'><path d='M0 0h1'/></svg>", "viewBox");
+    expect("<use id='u' href='#u' x='?'/>", "x");
+    expect("<path d='M0 0h1e8' transform='scale(1e3)'/>", "transform");
+    EXPECT_EQ(faultOf("").problem, FileProblem::noPaths);
+    const auto broken = readSvgPaths("<svg>\n<g></svg>");
+    EXPECT_EQ(std::get<FileError>(broken).problem, FileProblem::notXml);
+}
+
+} // namespace
+} // namespace kriva
