@@ -1,5 +1,6 @@
 #include "app/commands/command_line.h"
 #include "app/commands/export_command.h"
+#include "app/commands/import_command.h"
 #include "app/commands/report_command.h"
 #include "app/editor.h"
 
@@ -33,6 +34,7 @@ struct Answer {
         return ExitCode::usage;
     }
     ExitCode operator()(const ExportRequest& request) const { return exportFigures(request); }
+    ExitCode operator()(const ImportRequest& request) const { return importFiles(request); }
     ExitCode operator()(const ReportRequest& request) const { return report(request); }
     std::optional<ExitCode> operator()(const EditorRequest&) const { return std::nullopt; }
 };

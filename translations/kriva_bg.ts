@@ -199,6 +199,18 @@
         <source>Copy as &amp;TikZ</source>
         <translation>Копиране като &amp;TikZ</translation>
     </message>
+    <message>
+        <source>&amp;Import points…</source>
+        <translation>&amp;Внасяне на точки…</translation>
+    </message>
+    <message>
+        <source>Copy pat&amp;h</source>
+        <translation>Копиране на п&amp;ътя</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>П&amp;ечат…</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -620,50 +632,6 @@
         <translation>%1: при няколко файла е нужно {name} за името на всеки</translation>
     </message>
     <message>
-        <source>kriva [FILE...]
-    opens the editor
-kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
-    draws a sheet: the one named, else the one that was shown when the document was saved.
-    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output
-    --format svg|pdf|png|tex|csv     where the end of OUT does not say it
-    --width 120mm --margin 6mm       of the page; mm, cm, in or pt
-    --no-labels --theme light|dark
-    --no-document --decimals N --inkscape-layers    of SVG
-    --dpi 300 --transparent          of PNG
-    --fragment                       of TeX: to be put into another document
-kriva report FILE [--format json|text] [--sheet NAME]
-    prints the numbers of a document
-
-    --language CODE   en, bg, sl or uk; else the language of the system
-    --sheet NAME      elevation, subdivision, spline or combined
-    --help            this text
-    --version         the version
-
-Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
-</source>
-        <translation>kriva [FILE...]
-    отваря редактора
-kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
-    чертае лист: посочения, иначе показвания при запазването на документа.
-    {name} и {sheet} в OUT са тези на всеки файл; - е стандартният вход и изход
-    --format svg|pdf|png|tex|csv     когато краят на OUT не го казва
-    --width 120mm --margin 6mm       на страницата; mm, cm, in или pt
-    --no-labels --theme light|dark
-    --no-document --decimals N --inkscape-layers    за SVG
-    --dpi 300 --transparent          за PNG
-    --fragment                       за TeX: за вмъкване в друг документ
-kriva report FILE [--format json|text] [--sheet NAME]
-    отпечатва числата на документ
-
-    --language CODE   en, bg, sl или uk; иначе езикът на системата
-    --sheet NAME      elevation, subdivision, spline или combined
-    --help            този текст
-    --version         версията
-
-Кодове на изход: 0 готово, 1 неуспех, 2 грешна употреба, 3 отказан вход, 4 изходът не е записан.
-</translation>
-    </message>
-    <message>
         <source>%1: there is no curve %2; the sheet has %3, counted from 0</source>
         <translation>%1: няма крива %2; листът има %3, броени от 0</translation>
     </message>
@@ -690,6 +658,74 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>--%1 is a whole number from %2 to %3</source>
         <translation>--%1 е цяло число от %2 до %3</translation>
+    </message>
+    <message>
+        <source>import needs a file</source>
+        <translation>import изисква файл</translation>
+    </message>
+    <message>
+        <source>import needs the document to write: -o OUT.kriva</source>
+        <translation>import изисква документ за запис: -o OUT.kriva</translation>
+    </message>
+    <message>
+        <source>import needs the sheet that the curves go to: --sheet NAME</source>
+        <translation>import изисква листа, в който отиват кривите: --sheet NAME</translation>
+    </message>
+    <message>
+        <source>there is no scale %1</source>
+        <translation>няма мащаб %1</translation>
+    </message>
+    <message>
+        <source>%1 is no offset: two numbers with a comma between them</source>
+        <translation>%1 не е отместване: две числа със запетая между тях</translation>
+    </message>
+    <message>
+        <source>kriva [FILE...]
+    opens the editor
+kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
+    draws a sheet: the one named, else the one that was shown when the document was saved.
+    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output
+    --format svg|pdf|png|tex|csv     where the end of OUT does not say it
+    --width 120mm --margin 6mm       of the page; mm, cm, in or pt
+    --no-labels --theme light|dark
+    --no-document --decimals N --inkscape-layers    of SVG
+    --dpi 300 --transparent          of PNG
+    --fragment                       of TeX: to be put into another document
+kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]
+    makes a document of the paths of SVG files, of path data or of tables of points
+kriva report FILE [--format json|text] [--sheet NAME]
+    prints the numbers of a document
+
+    --language CODE   en, bg, sl or uk; else the language of the system
+    --sheet NAME      elevation, subdivision, spline or combined
+    --help            this text
+    --version         the version
+
+Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
+</source>
+        <translation>kriva [FILE...]
+    отваря редактора
+kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
+    чертае лист: посочения, иначе показвания при запазването на документа.
+    {name} и {sheet} в OUT са тези на всеки файл; - е стандартният вход и изход
+    --format svg|pdf|png|tex|csv     когато краят на OUT не го казва
+    --width 120mm --margin 6mm       на страницата; mm, cm, in или pt
+    --no-labels --theme light|dark
+    --no-document --decimals N --inkscape-layers    за SVG
+    --dpi 300 --transparent          за PNG
+    --fragment                       за TeX: за вмъкване в друг документ
+kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]
+    прави документ от пътищата на файлове SVG, от данни на пътища или от таблици с точки
+kriva report FILE [--format json|text] [--sheet NAME]
+    отпечатва числата на документ
+
+    --language CODE   en, bg, sl или uk; иначе езикът на системата
+    --sheet NAME      elevation, subdivision, spline или combined
+    --help            този текст
+    --version         версията
+
+Кодове на изход: 0 готово, 1 неуспех, 2 грешна употреба, 3 отказан вход, 4 изходът не е записан.
+</translation>
     </message>
 </context>
 <context>
@@ -851,6 +887,18 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>%1: the file cannot be written (%2)</source>
         <translation>%1: файлът не може да се запише (%2)</translation>
+    </message>
+    <message>
+        <source>this is no path data</source>
+        <translation>това не са данни на път</translation>
+    </message>
+    <message>
+        <source>the attribute “%1” cannot be read</source>
+        <translation>атрибутът „%1“ не може да се прочете</translation>
+    </message>
+    <message>
+        <source>there is no path to import</source>
+        <translation>няма път за внасяне</translation>
     </message>
 </context>
 <context>
@@ -1472,6 +1520,21 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>PointsImport</name>
+    <message>
+        <source>Import points</source>
+        <translation>Внасяне на точки</translation>
+    </message>
+    <message>
+        <source>Paths and points (*.svg *.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Пътища и точки (*.svg *.csv *.tsv *.txt);;Всички файлове (*)</translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation>Нищо не беше внесено</translation>
+    </message>
+</context>
+<context>
     <name>Properties</name>
     <message>
         <source>Method</source>
@@ -2001,6 +2064,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Split the curve</source>
         <translation>Разделяне на кривата</translation>
     </message>
+    <message>
+        <source>Paste curves</source>
+        <translation>Поставяне на криви</translation>
+    </message>
+    <message>
+        <source>Import curves</source>
+        <translation>Внасяне на криви</translation>
+    </message>
 </context>
 <context>
     <name>StyleEditor</name>
@@ -2044,24 +2115,24 @@ kriva report FILE [--format json|text] [--sheet NAME]
 <context>
     <name>TableErrors</name>
     <message>
-        <source>The clipboard holds no points</source>
-        <translation>В буфера за обмен няма точки</translation>
+        <source>there are no points</source>
+        <translation>няма точки</translation>
     </message>
     <message>
-        <source>The clipboard: more than %1 points are too many for a curve</source>
-        <translation>Буферът за обмен: повече от %1 точки са твърде много за една крива</translation>
+        <source>more than %1 points are too many</source>
+        <translation>повече от %1 точки са твърде много</translation>
     </message>
     <message>
-        <source>The clipboard, line %1: expected two numbers</source>
-        <translation>Буферът за обмен, ред %1: очакват се две числа</translation>
+        <source>line %1: expected two numbers</source>
+        <translation>ред %1: очакват се две числа</translation>
     </message>
     <message>
-        <source>The clipboard, line %1: “%2” is no number</source>
-        <translation>Буферът за обмен, ред %1: „%2“ не е число</translation>
+        <source>line %1: “%2” is no number</source>
+        <translation>ред %1: „%2“ не е число</translation>
     </message>
     <message>
-        <source>The clipboard, line %1: “%2” is not from %3 to %4</source>
-        <translation>Буферът за обмен, ред %1: „%2“ не е от %3 до %4</translation>
+        <source>line %1: “%2” is not from %3 to %4</source>
+        <translation>ред %1: „%2“ не е от %3 до %4</translation>
     </message>
 </context>
 <context>
@@ -2339,6 +2410,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Written: %1</source>
         <translation>Записано: %1</translation>
     </message>
+    <message>
+        <source>Print</source>
+        <translation>Печат</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::GuidePanel</name>
@@ -2356,6 +2431,48 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Beginning</source>
         <translation>Начало</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ImportDialog</name>
+    <message>
+        <source>Import points</source>
+        <translation>Внасяне на точки</translation>
+    </message>
+    <message>
+        <source>&amp;Curves</source>
+        <translation>&amp;Криви</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Криви</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>&amp;Мащаб</translation>
+    </message>
+    <message>
+        <source>Move by &amp;x</source>
+        <translation>Преместване по &amp;x</translation>
+    </message>
+    <message>
+        <source>Move by &amp;y</source>
+        <translation>Преместване по &amp;y</translation>
+    </message>
+    <message>
+        <source>The curves as they will be</source>
+        <translation>Кривите, каквито ще бъдат</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Внасяне</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n точка</numerusform>
+            <numerusform>%n точки</numerusform>
+        </translation>
     </message>
 </context>
 <context>

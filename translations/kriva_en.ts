@@ -11,4 +11,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>kriva::ui::ImportDialog</name>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

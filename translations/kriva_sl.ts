@@ -199,6 +199,18 @@
         <source>Copy as &amp;TikZ</source>
         <translation>Kopiraj kot &amp;TikZ</translation>
     </message>
+    <message>
+        <source>&amp;Import points…</source>
+        <translation>&amp;Uvozi točke …</translation>
+    </message>
+    <message>
+        <source>Copy pat&amp;h</source>
+        <translation>Kopira&amp;j pot</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>N&amp;atisni …</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -620,50 +632,6 @@
         <translation>%1: pri več datotekah je potreben {name} za ime vsake</translation>
     </message>
     <message>
-        <source>kriva [FILE...]
-    opens the editor
-kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
-    draws a sheet: the one named, else the one that was shown when the document was saved.
-    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output
-    --format svg|pdf|png|tex|csv     where the end of OUT does not say it
-    --width 120mm --margin 6mm       of the page; mm, cm, in or pt
-    --no-labels --theme light|dark
-    --no-document --decimals N --inkscape-layers    of SVG
-    --dpi 300 --transparent          of PNG
-    --fragment                       of TeX: to be put into another document
-kriva report FILE [--format json|text] [--sheet NAME]
-    prints the numbers of a document
-
-    --language CODE   en, bg, sl or uk; else the language of the system
-    --sheet NAME      elevation, subdivision, spline or combined
-    --help            this text
-    --version         the version
-
-Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
-</source>
-        <translation>kriva [FILE...]
-    odpre urejevalnik
-kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
-    nariše list: imenovanega, sicer tistega, ki je bil prikazan ob shranjevanju dokumenta.
-    {name} in {sheet} v OUT sta ime in list vsake datoteke; - je standardni vhod in izhod
-    --format svg|pdf|png|tex|csv     kadar ga konec OUT ne pove
-    --width 120mm --margin 6mm       strani; mm, cm, in ali pt
-    --no-labels --theme light|dark
-    --no-document --decimals N --inkscape-layers    za SVG
-    --dpi 300 --transparent          za PNG
-    --fragment                       za TeX: za vstavljanje v drug dokument
-kriva report FILE [--format json|text] [--sheet NAME]
-    izpiše števila dokumenta
-
-    --language CODE   en, bg, sl ali uk; sicer jezik sistema
-    --sheet NAME      elevation, subdivision, spline ali combined
-    --help            to besedilo
-    --version         različica
-
-Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod ni zapisan.
-</translation>
-    </message>
-    <message>
         <source>%1: there is no curve %2; the sheet has %3, counted from 0</source>
         <translation>%1: krivulje %2 ni; list jih ima %3, štetih od 0</translation>
     </message>
@@ -690,6 +658,74 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>--%1 is a whole number from %2 to %3</source>
         <translation>--%1 je celo število od %2 do %3</translation>
+    </message>
+    <message>
+        <source>import needs a file</source>
+        <translation>import potrebuje datoteko</translation>
+    </message>
+    <message>
+        <source>import needs the document to write: -o OUT.kriva</source>
+        <translation>import potrebuje dokument za zapis: -o OUT.kriva</translation>
+    </message>
+    <message>
+        <source>import needs the sheet that the curves go to: --sheet NAME</source>
+        <translation>import potrebuje list, na katerega gredo krivulje: --sheet NAME</translation>
+    </message>
+    <message>
+        <source>there is no scale %1</source>
+        <translation>merila %1 ni</translation>
+    </message>
+    <message>
+        <source>%1 is no offset: two numbers with a comma between them</source>
+        <translation>%1 ni odmik: dve števili z vejico med njima</translation>
+    </message>
+    <message>
+        <source>kriva [FILE...]
+    opens the editor
+kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
+    draws a sheet: the one named, else the one that was shown when the document was saved.
+    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output
+    --format svg|pdf|png|tex|csv     where the end of OUT does not say it
+    --width 120mm --margin 6mm       of the page; mm, cm, in or pt
+    --no-labels --theme light|dark
+    --no-document --decimals N --inkscape-layers    of SVG
+    --dpi 300 --transparent          of PNG
+    --fragment                       of TeX: to be put into another document
+kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]
+    makes a document of the paths of SVG files, of path data or of tables of points
+kriva report FILE [--format json|text] [--sheet NAME]
+    prints the numbers of a document
+
+    --language CODE   en, bg, sl or uk; else the language of the system
+    --sheet NAME      elevation, subdivision, spline or combined
+    --help            this text
+    --version         the version
+
+Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
+</source>
+        <translation>kriva [FILE...]
+    odpre urejevalnik
+kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
+    nariše list: imenovanega, sicer tistega, ki je bil prikazan ob shranjevanju dokumenta.
+    {name} in {sheet} v OUT sta ime in list vsake datoteke; - je standardni vhod in izhod
+    --format svg|pdf|png|tex|csv     kadar ga konec OUT ne pove
+    --width 120mm --margin 6mm       strani; mm, cm, in ali pt
+    --no-labels --theme light|dark
+    --no-document --decimals N --inkscape-layers    za SVG
+    --dpi 300 --transparent          za PNG
+    --fragment                       za TeX: za vstavljanje v drug dokument
+kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]
+    iz poti datotek SVG, iz podatkov poti ali iz tabel točk naredi dokument
+kriva report FILE [--format json|text] [--sheet NAME]
+    izpiše števila dokumenta
+
+    --language CODE   en, bg, sl ali uk; sicer jezik sistema
+    --sheet NAME      elevation, subdivision, spline ali combined
+    --help            to besedilo
+    --version         različica
+
+Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod ni zapisan.
+</translation>
     </message>
 </context>
 <context>
@@ -853,6 +889,18 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>%1: the file cannot be written (%2)</source>
         <translation>%1: datoteke ni mogoče zapisati (%2)</translation>
+    </message>
+    <message>
+        <source>this is no path data</source>
+        <translation>to niso podatki poti</translation>
+    </message>
+    <message>
+        <source>the attribute “%1” cannot be read</source>
+        <translation>atributa »%1« ni mogoče prebrati</translation>
+    </message>
+    <message>
+        <source>there is no path to import</source>
+        <translation>ni poti za uvoz</translation>
     </message>
 </context>
 <context>
@@ -1474,6 +1522,21 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
 </context>
 <context>
+    <name>PointsImport</name>
+    <message>
+        <source>Import points</source>
+        <translation>Uvoz točk</translation>
+    </message>
+    <message>
+        <source>Paths and points (*.svg *.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Poti in točke (*.svg *.csv *.tsv *.txt);;Vse datoteke (*)</translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation>Nič ni bilo uvoženo</translation>
+    </message>
+</context>
+<context>
     <name>Properties</name>
     <message>
         <source>Method</source>
@@ -2003,6 +2066,14 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>Split the curve</source>
         <translation>Razdelitev krivulje</translation>
     </message>
+    <message>
+        <source>Paste curves</source>
+        <translation>Lepljenje krivulj</translation>
+    </message>
+    <message>
+        <source>Import curves</source>
+        <translation>Uvoz krivulj</translation>
+    </message>
 </context>
 <context>
     <name>StyleEditor</name>
@@ -2046,24 +2117,24 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
 <context>
     <name>TableErrors</name>
     <message>
-        <source>The clipboard holds no points</source>
-        <translation>V odložišču ni točk</translation>
+        <source>there are no points</source>
+        <translation>ni točk</translation>
     </message>
     <message>
-        <source>The clipboard: more than %1 points are too many for a curve</source>
-        <translation>Odložišče: več kot %1 točk je preveč za eno krivuljo</translation>
+        <source>more than %1 points are too many</source>
+        <translation>več kot %1 točk je preveč</translation>
     </message>
     <message>
-        <source>The clipboard, line %1: expected two numbers</source>
-        <translation>Odložišče, vrstica %1: pričakovani sta dve števili</translation>
+        <source>line %1: expected two numbers</source>
+        <translation>vrstica %1: pričakovani sta dve števili</translation>
     </message>
     <message>
-        <source>The clipboard, line %1: “%2” is no number</source>
-        <translation>Odložišče, vrstica %1: »%2« ni število</translation>
+        <source>line %1: “%2” is no number</source>
+        <translation>vrstica %1: »%2« ni število</translation>
     </message>
     <message>
-        <source>The clipboard, line %1: “%2” is not from %3 to %4</source>
-        <translation>Odložišče, vrstica %1: »%2« ni med %3 in %4</translation>
+        <source>line %1: “%2” is not from %3 to %4</source>
+        <translation>vrstica %1: »%2« ni med %3 in %4</translation>
     </message>
 </context>
 <context>
@@ -2341,6 +2412,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>Written: %1</source>
         <translation>Zapisano: %1</translation>
     </message>
+    <message>
+        <source>Print</source>
+        <translation>Tiskanje</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::GuidePanel</name>
@@ -2358,6 +2433,50 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Beginning</source>
         <translation>Začetek</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ImportDialog</name>
+    <message>
+        <source>Import points</source>
+        <translation>Uvoz točk</translation>
+    </message>
+    <message>
+        <source>&amp;Curves</source>
+        <translation>&amp;Krivulje</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Krivulje</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>&amp;Merilo</translation>
+    </message>
+    <message>
+        <source>Move by &amp;x</source>
+        <translation>Premik po &amp;x</translation>
+    </message>
+    <message>
+        <source>Move by &amp;y</source>
+        <translation>Premik po &amp;y</translation>
+    </message>
+    <message>
+        <source>The curves as they will be</source>
+        <translation>Krivulje, kakršne bodo</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Uvozi</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n točka</numerusform>
+            <numerusform>%n točki</numerusform>
+            <numerusform>%n točke</numerusform>
+            <numerusform>%n točk</numerusform>
+        </translation>
     </message>
 </context>
 <context>

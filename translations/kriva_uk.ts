@@ -199,6 +199,18 @@
         <source>Copy as &amp;TikZ</source>
         <translation>Копіювати як &amp;TikZ</translation>
     </message>
+    <message>
+        <source>&amp;Import points…</source>
+        <translation>&amp;Імпортувати точки…</translation>
+    </message>
+    <message>
+        <source>Copy pat&amp;h</source>
+        <translation>Копіювати к&amp;онтур</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>Др&amp;укувати…</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -620,50 +632,6 @@
         <translation>%1: для кількох файлів потрібне {name} для назви кожного</translation>
     </message>
     <message>
-        <source>kriva [FILE...]
-    opens the editor
-kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
-    draws a sheet: the one named, else the one that was shown when the document was saved.
-    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output
-    --format svg|pdf|png|tex|csv     where the end of OUT does not say it
-    --width 120mm --margin 6mm       of the page; mm, cm, in or pt
-    --no-labels --theme light|dark
-    --no-document --decimals N --inkscape-layers    of SVG
-    --dpi 300 --transparent          of PNG
-    --fragment                       of TeX: to be put into another document
-kriva report FILE [--format json|text] [--sheet NAME]
-    prints the numbers of a document
-
-    --language CODE   en, bg, sl or uk; else the language of the system
-    --sheet NAME      elevation, subdivision, spline or combined
-    --help            this text
-    --version         the version
-
-Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
-</source>
-        <translation>kriva [FILE...]
-    відкриває редактор
-kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
-    малює аркуш: названий, інакше той, що був показаний під час збереження документа.
-    {name} і {sheet} в OUT — назва й аркуш кожного файлу; - є стандартним вводом і виводом
-    --format svg|pdf|png|tex|csv     коли кінець OUT його не називає
-    --width 120mm --margin 6mm       сторінки; mm, cm, in або pt
-    --no-labels --theme light|dark
-    --no-document --decimals N --inkscape-layers    для SVG
-    --dpi 300 --transparent          для PNG
-    --fragment                       для TeX: для вставлення в інший документ
-kriva report FILE [--format json|text] [--sheet NAME]
-    друкує числа документа
-
-    --language CODE   en, bg, sl або uk; інакше мова системи
-    --sheet NAME      elevation, subdivision, spline або combined
-    --help            цей текст
-    --version         версія
-
-Коди виходу: 0 зроблено, 1 невдача, 2 хибне вживання, 3 ввід відхилено, 4 вивід не записано.
-</translation>
-    </message>
-    <message>
         <source>%1: there is no curve %2; the sheet has %3, counted from 0</source>
         <translation>%1: немає кривої %2; аркуш має %3, лічба від 0</translation>
     </message>
@@ -690,6 +658,74 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>--%1 is a whole number from %2 to %3</source>
         <translation>--%1 є цілим числом від %2 до %3</translation>
+    </message>
+    <message>
+        <source>import needs a file</source>
+        <translation>import потребує файлу</translation>
+    </message>
+    <message>
+        <source>import needs the document to write: -o OUT.kriva</source>
+        <translation>import потребує документа для запису: -o OUT.kriva</translation>
+    </message>
+    <message>
+        <source>import needs the sheet that the curves go to: --sheet NAME</source>
+        <translation>import потребує аркуша, на який підуть криві: --sheet NAME</translation>
+    </message>
+    <message>
+        <source>there is no scale %1</source>
+        <translation>немає масштабу %1</translation>
+    </message>
+    <message>
+        <source>%1 is no offset: two numbers with a comma between them</source>
+        <translation>%1 — не зсув: два числа з комою між ними</translation>
+    </message>
+    <message>
+        <source>kriva [FILE...]
+    opens the editor
+kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
+    draws a sheet: the one named, else the one that was shown when the document was saved.
+    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output
+    --format svg|pdf|png|tex|csv     where the end of OUT does not say it
+    --width 120mm --margin 6mm       of the page; mm, cm, in or pt
+    --no-labels --theme light|dark
+    --no-document --decimals N --inkscape-layers    of SVG
+    --dpi 300 --transparent          of PNG
+    --fragment                       of TeX: to be put into another document
+kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]
+    makes a document of the paths of SVG files, of path data or of tables of points
+kriva report FILE [--format json|text] [--sheet NAME]
+    prints the numbers of a document
+
+    --language CODE   en, bg, sl or uk; else the language of the system
+    --sheet NAME      elevation, subdivision, spline or combined
+    --help            this text
+    --version         the version
+
+Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.
+</source>
+        <translation>kriva [FILE...]
+    відкриває редактор
+kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
+    малює аркуш: названий, інакше той, що був показаний під час збереження документа.
+    {name} і {sheet} в OUT — назва й аркуш кожного файлу; - є стандартним вводом і виводом
+    --format svg|pdf|png|tex|csv     коли кінець OUT його не називає
+    --width 120mm --margin 6mm       сторінки; mm, cm, in або pt
+    --no-labels --theme light|dark
+    --no-document --decimals N --inkscape-layers    для SVG
+    --dpi 300 --transparent          для PNG
+    --fragment                       для TeX: для вставлення в інший документ
+kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]
+    робить документ із контурів файлів SVG, з даних контурів або з таблиць точок
+kriva report FILE [--format json|text] [--sheet NAME]
+    друкує числа документа
+
+    --language CODE   en, bg, sl або uk; інакше мова системи
+    --sheet NAME      elevation, subdivision, spline або combined
+    --help            цей текст
+    --version         версія
+
+Коди виходу: 0 зроблено, 1 невдача, 2 хибне вживання, 3 ввід відхилено, 4 вивід не записано.
+</translation>
     </message>
 </context>
 <context>
@@ -852,6 +888,18 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>%1: the file cannot be written (%2)</source>
         <translation>%1: файл не вдається записати (%2)</translation>
+    </message>
+    <message>
+        <source>this is no path data</source>
+        <translation>це не дані контуру</translation>
+    </message>
+    <message>
+        <source>the attribute “%1” cannot be read</source>
+        <translation>атрибут «%1» неможливо прочитати</translation>
+    </message>
+    <message>
+        <source>there is no path to import</source>
+        <translation>немає контуру для імпорту</translation>
     </message>
 </context>
 <context>
@@ -1473,6 +1521,21 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>PointsImport</name>
+    <message>
+        <source>Import points</source>
+        <translation>Імпорт точок</translation>
+    </message>
+    <message>
+        <source>Paths and points (*.svg *.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Контури й точки (*.svg *.csv *.tsv *.txt);;Усі файли (*)</translation>
+    </message>
+    <message>
+        <source>Nothing was imported</source>
+        <translation>Нічого не імпортовано</translation>
+    </message>
+</context>
+<context>
     <name>Properties</name>
     <message>
         <source>Method</source>
@@ -2002,6 +2065,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Split the curve</source>
         <translation>Розділення кривої</translation>
     </message>
+    <message>
+        <source>Paste curves</source>
+        <translation>Вставлення кривих</translation>
+    </message>
+    <message>
+        <source>Import curves</source>
+        <translation>Імпорт кривих</translation>
+    </message>
 </context>
 <context>
     <name>StyleEditor</name>
@@ -2045,24 +2116,24 @@ kriva report FILE [--format json|text] [--sheet NAME]
 <context>
     <name>TableErrors</name>
     <message>
-        <source>The clipboard holds no points</source>
-        <translation>У буфері обміну немає точок</translation>
+        <source>there are no points</source>
+        <translation>немає точок</translation>
     </message>
     <message>
-        <source>The clipboard: more than %1 points are too many for a curve</source>
-        <translation>Буфер обміну: понад %1 точок — забагато для однієї кривої</translation>
+        <source>more than %1 points are too many</source>
+        <translation>понад %1 точок — забагато</translation>
     </message>
     <message>
-        <source>The clipboard, line %1: expected two numbers</source>
-        <translation>Буфер обміну, рядок %1: очікувалося два числа</translation>
+        <source>line %1: expected two numbers</source>
+        <translation>рядок %1: очікувалося два числа</translation>
     </message>
     <message>
-        <source>The clipboard, line %1: “%2” is no number</source>
-        <translation>Буфер обміну, рядок %1: «%2» — не число</translation>
+        <source>line %1: “%2” is no number</source>
+        <translation>рядок %1: «%2» — не число</translation>
     </message>
     <message>
-        <source>The clipboard, line %1: “%2” is not from %3 to %4</source>
-        <translation>Буфер обміну, рядок %1: «%2» не в межах від %3 до %4</translation>
+        <source>line %1: “%2” is not from %3 to %4</source>
+        <translation>рядок %1: «%2» не в межах від %3 до %4</translation>
     </message>
 </context>
 <context>
@@ -2340,6 +2411,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Written: %1</source>
         <translation>Записано: %1</translation>
     </message>
+    <message>
+        <source>Print</source>
+        <translation>Друк</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::GuidePanel</name>
@@ -2357,6 +2432,49 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Beginning</source>
         <translation>Початок</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::ImportDialog</name>
+    <message>
+        <source>Import points</source>
+        <translation>Імпорт точок</translation>
+    </message>
+    <message>
+        <source>&amp;Curves</source>
+        <translation>&amp;Криві</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Криві</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>&amp;Масштаб</translation>
+    </message>
+    <message>
+        <source>Move by &amp;x</source>
+        <translation>Зсув по &amp;x</translation>
+    </message>
+    <message>
+        <source>Move by &amp;y</source>
+        <translation>Зсув по &amp;y</translation>
+    </message>
+    <message>
+        <source>The curves as they will be</source>
+        <translation>Криві, якими вони будуть</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Імпортувати</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n точка</numerusform>
+            <numerusform>%n точки</numerusform>
+            <numerusform>%n точок</numerusform>
+        </translation>
     </message>
 </context>
 <context>

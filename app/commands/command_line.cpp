@@ -1,9 +1,13 @@
 #include "app/commands/command_line.h"
 
 #include "app/commands/export_options.h"
+#include "core/document/limits.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QMap>
+
+#include <cmath>
 
 namespace kriva::app {
 
@@ -27,13 +31,14 @@ class CommandLine {
 
   private:
     [[nodiscard]] static Request exported(const Words& words);
+    [[nodiscard]] static Request imported(const Words& words);
     [[nodiscard]] static Request reported(const Words& words);
     [[nodiscard]] static QString faultOf(const Words& words);
     [[nodiscard]] static QString faultOfOptions(const Words& words, const QStringList& allowed);
 };
 
 bool takesValue(const QString& option) {
-    return QStringList{u"output"_s, u"sheet"_s, u"format"_s, u"language"_s}.contains(option) ||
+    return QStringList{u"output"_s, u"sheet"_s, u"format"_s, u"language"_s, u"scale"_s, u"offset"_s}.contains(option) ||
            exportOptionNames().values.contains(option);
 }
 
@@ -119,6 +124,37 @@ Request CommandLine::exported(const Words& words) {
     return ExportRequest{words.plain, output, sheetOf(words), std::get<ui::FigureFileOptions>(std::move(options))};
 }
 
+Request CommandLine::imported(const Words& words) {
+    const auto numberOf = [](const QString& text) {
+        bool isNumber = false;
+        const double number = QLocale::c().toDouble(text, &isNumber);
+        return isNumber && std::abs(number) <= limits::kNumber ? std::optional(number) : std::nullopt;
+    };
+    if (const QString fault = faultOfOptions(words, {u"output"_s, u"sheet"_s, u"scale"_s, u"offset"_s});
+        !fault.isEmpty())
+        return UsageError{fault};
+    if (words.plain.isEmpty())
+        return UsageError{tr("import needs a file")};
+    ImportRequest request{words.plain, words.options.value(u"output"_s), 0, {}};
+    if (request.output.isEmpty())
+        return UsageError{tr("import needs the document to write: -o OUT.kriva")};
+    const std::optional<SheetIndex> sheet = sheetOf(words);
+    if (!sheet)
+        return UsageError{tr("import needs the sheet that the curves go to: --sheet NAME")};
+    request.sheet = *sheet;
+    const QString scale = words.options.value(u"scale"_s, u"1"_s);
+    const QStringList offset = words.options.value(u"offset"_s, u"0,0"_s).split(u',');
+    const std::optional<double> factor = numberOf(scale);
+    if (!factor || *factor == 0)
+        return UsageError{tr("there is no scale %1").arg(scale)};
+    const std::optional<double> x = numberOf(offset.value(0));
+    const std::optional<double> y = numberOf(offset.value(1));
+    if (offset.size() != 2 || !x || !y)
+        return UsageError{tr("%1 is no offset: two numbers with a comma between them").arg(offset.join(u','))};
+    request.placing = {*factor, {*x, *y}};
+    return request;
+}
+
 Request CommandLine::reported(const Words& words) {
     if (const QString fault = faultOfOptions(words, {u"format"_s, u"sheet"_s}); !fault.isEmpty())
         return UsageError{fault};
@@ -138,9 +174,9 @@ Request CommandLine::understood(Words words) {
     if (const QString fault = faultOf(words); !fault.isEmpty())
         return UsageError{fault};
     const QString command = words.plain.value(0);
-    if (command == u"export" || command == u"report") {
+    if (command == u"export" || command == u"import" || command == u"report") {
         words.plain.removeFirst();
-        return command == u"export" ? exported(words) : reported(words);
+        return command == u"export" ? exported(words) : command == u"import" ? imported(words) : reported(words);
     }
     if (const QString fault = faultOfOptions(words, {}); !fault.isEmpty())
         return UsageError{fault};
@@ -159,6 +195,8 @@ QString CommandLine::help() {
               "    --no-document --decimals N --inkscape-layers    of SVG\n"
               "    --dpi 300 --transparent          of PNG\n"
               "    --fragment                       of TeX: to be put into another document\n"
+              "kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]\n"
+              "    makes a document of the paths of SVG files, of path data or of tables of points\n"
               "kriva report FILE [--format json|text] [--sheet NAME]\n"
               "    prints the numbers of a document\n"
               "\n"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/document/document.h"
+#include "core/exchange/imported.h"
 #include "ui/figures/figure_file.h"
 #include "ui/shell/language/language.h"
 
@@ -21,6 +22,12 @@ struct ExportRequest {
     std::optional<SheetIndex> sheet;
     ui::FigureFileOptions options;
 };
+struct ImportRequest {
+    QStringList files;
+    QString output;
+    SheetIndex sheet = 0;
+    Placing placing;
+};
 struct ReportRequest {
     QString file;
     bool isJson = false;
@@ -32,7 +39,8 @@ struct UsageError {
     QString sentence;
 };
 
-using Request = std::variant<EditorRequest, ExportRequest, ReportRequest, HelpRequest, VersionRequest, UsageError>;
+using Request =
+    std::variant<EditorRequest, ExportRequest, ImportRequest, ReportRequest, HelpRequest, VersionRequest, UsageError>;
 
 /// What is asked for; `arguments` begin behind the name of the program. Sentences are in the present language.
 [[nodiscard]] Request parseCommandLine(const QStringList& arguments);

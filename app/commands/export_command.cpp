@@ -1,5 +1,6 @@
 #include "app/commands/export_command.h"
 
+#include "app/commands/streams.h"
 #include "ui/document/document_file.h"
 #include "ui/document/error_text.h"
 #include "ui/figures/figure_file.h"
@@ -11,11 +12,6 @@
 
 namespace kriva::app {
 namespace {
-
-/// Whether a name stands for the standard input or output.
-bool isStandardStream(const QString& file) {
-    return file == QLatin1Char('-');
-}
 
 class Export {
     Q_DECLARE_TR_FUNCTIONS(CommandLine)
@@ -68,22 +64,13 @@ QString outputFor(QString pattern, const QString& file, SheetIndex sheet) {
         .replace(QStringLiteral("{sheet}"), QString::fromUtf8(sheetName(sheet)));
 }
 
-ExitCode write(const QString& output, const QByteArray& bytes) {
-    if (isStandardStream(output))
-        return printOut(bytes);
-    const auto error = ui::safeWrite(output, bytes);
-    if (error)
-        printError(errorText(*error, output));
-    return error ? ExitCode::notWritten : ExitCode::done;
-}
-
 ExitCode refused(const QString& sentence, ExitCode code) {
     printError(sentence);
     return code;
 }
 
 ExitCode exportOne(const QString& file, const ExportRequest& request) {
-    const auto loaded = isStandardStream(file) ? ui::documentFrom(readIn()) : ui::loadDocument(file);
+    const auto loaded = ui::documentFrom(readInput(file));
     if (const ui::OpenError* error = std::get_if<ui::OpenError>(&loaded))
         return refused(errorText(*error, file), ExitCode::refused);
     const Document& document = std::get<Document>(loaded);
@@ -99,7 +86,7 @@ ExitCode exportOne(const QString& file, const ExportRequest& request) {
     const ui::FigureFile made = ui::figureFile(document, *sheet, request.options);
     if (const ui::FigureFault* fault = std::get_if<ui::FigureFault>(&made))
         return refused(QStringLiteral("%1: %2").arg(file, faultText(*fault)), ExitCode::failure);
-    return write(outputFor(request.output, file, *sheet), std::get<QByteArray>(made));
+    return writeOutput(outputFor(request.output, file, *sheet), std::get<QByteArray>(made));
 }
 
 } // namespace

@@ -66,6 +66,21 @@ TEST(CommandLine, understandsHowAFigureIsToLook) {
     EXPECT_TRUE(usual.holdsDocument && usual.drawing.hasLabels);
 }
 
+TEST(CommandLine, understandsImport) {
+    const ImportRequest request =
+        std::get<ImportRequest>(parsed("import a.svg - -o b.kriva --sheet combined --scale 0.5 --offset=-1,2.5"));
+    EXPECT_EQ(request.files, (QStringList{QStringLiteral("a.svg"), QStringLiteral("-")}));
+    EXPECT_EQ(request.output, QStringLiteral("b.kriva"));
+    EXPECT_EQ(request.sheet, SheetIndex(3));
+    EXPECT_EQ(request.placing, (Placing{0.5, {-1, 2.5}}));
+    EXPECT_EQ(std::get<ImportRequest>(parsed("import a -o b --sheet spline")).placing, Placing());
+    for (const char* line : {"import -o b --sheet spline", "import a --sheet spline", "import a -o b",
+                             "import a -o b --sheet spline --scale 0", "import a -o b --sheet spline --scale big",
+                             "import a -o b --sheet spline --offset 1", "import a -o b --sheet spline --offset 1,2,3",
+                             "import a -o b --sheet spline --offset 1,1e10", "import a -o b --sheet spline --dpi 3"})
+        EXPECT_TRUE(isUsageError(line)) << line;
+}
+
 TEST(CommandLine, understandsReport) {
     EXPECT_FALSE(std::get<ReportRequest>(parsed("report a.kriva")).isJson);
     EXPECT_TRUE(std::get<ReportRequest>(parsed("report --format json a.kriva")).isJson);

@@ -2,6 +2,7 @@
 
 #include "core/document/limit_check.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace kriva::ui {
@@ -77,25 +78,46 @@ bool OpenDocument::divide(SheetIndex sheet, Serial serial, Curve first, Curve se
     divided.curves[static_cast<std::size_t>(*index)] = first;
     if (!isWithinLimits(sheet, divided, {}, second))
         return false;
-    histories_[sheet]->beginMacro(stored(label));
-    change(sheet, serial, std::move(first), label);
-    add(sheet, *index + 1, std::move(second), label);
-    histories_[sheet]->endMacro();
+    push(sheet,
+         exchange(sheet, {{serial, PlacedCurve{std::move(first), *index}},
+                          {present_.newSerial(), PlacedCurve{std::move(second), *index + 1}}}),
+         label);
     setActiveCurve(sheet, serial);
+    return true;
+}
+
+bool OpenDocument::addAll(SheetIndex sheet, std::vector<Curve> curves, const StepLabel& label) {
+    endGesture();
+    for (const Curve& curve : curves)
+        if (!isWithinLimits(sheet, {}, {}, curve))
+            return false;
+    Sheet together = this->sheet(sheet);
+    together.curves.insert(together.curves.end(), curves.begin(), curves.end());
+    if (const std::optional<FileError> error = sheetLimitError(together, sheet)) {
+        Q_EMIT refused(*error);
+        return false;
+    }
+    std::vector<CurveExchange> added;
+    int index = static_cast<int>(serials(sheet).size());
+    for (Curve& curve : curves)
+        added.push_back({present_.newSerial(), PlacedCurve{std::move(curve), index++}});
+    const Serial last = added.empty() ? 0 : added.back().serial;
+    push(sheet, exchange(sheet, std::move(added)), label);
+    setActiveCurve(sheet, last);
     return true;
 }
 
 void OpenDocument::remove(SheetIndex sheet, Serial serial, const StepLabel& label) {
     endGesture();
     if (find(sheet, serial))
-        push(sheet, serial, exchange(sheet, serial, std::nullopt), label);
+        push(sheet, exchange(sheet, {{serial, std::nullopt}}), label);
 }
 
 void OpenDocument::reorder(SheetIndex sheet, Serial serial, int index, const StepLabel& label) {
     endGesture();
     const Curve* curve = find(sheet, serial);
     if (curve && *indexOf(sheet, serial) != index)
-        push(sheet, serial, exchange(sheet, serial, PlacedCurve{*curve, index}), label);
+        push(sheet, exchange(sheet, {{serial, PlacedCurve{*curve, index}}}), label);
 }
 
 void OpenDocument::beginGesture(SheetIndex sheet, Serial serial, const StepLabel& label) {
@@ -129,9 +151,9 @@ void OpenDocument::endGesture() {
     Gesture gesture = *std::exchange(gesture_, std::nullopt);
     const int index = *indexOf(gesture.sheet, gesture.serial);
     if (gesture.isNew)
-        push(gesture.sheet, gesture.serial, std::nullopt, gesture.label);
+        push(gesture.sheet, {{gesture.serial, std::nullopt}}, gesture.label);
     else if (*find(gesture.sheet, gesture.serial) != gesture.start)
-        push(gesture.sheet, gesture.serial, PlacedCurve{std::move(gesture.start), index}, gesture.label);
+        push(gesture.sheet, {{gesture.serial, PlacedCurve{std::move(gesture.start), index}}}, gesture.label);
 }
 
 void OpenDocument::cancelGesture() {
@@ -163,8 +185,8 @@ void OpenDocument::put(SheetIndex sheet, Serial serial, Curve curve) {
     Q_EMIT curveChanged(sheet, serial);
 }
 
-void OpenDocument::push(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other, const StepLabel& label) {
-    histories_[sheet]->push(new SwapCurve(*this, sheet, serial, std::move(other), stored(label)));
+void OpenDocument::push(SheetIndex sheet, std::vector<CurveExchange> others, const StepLabel& label) {
+    histories_[sheet]->push(new SwapCurves(*this, sheet, std::move(others), stored(label)));
     tellModified();
 }
 
@@ -176,6 +198,23 @@ std::optional<PlacedCurve> OpenDocument::exchange(SheetIndex sheet, Serial seria
     else
         Q_EMIT curvesChanged(sheet);
     return before;
+}
+
+std::vector<CurveExchange> OpenDocument::exchange(SheetIndex sheet, std::vector<CurveExchange> others) {
+    if (others.size() == 1)
+        return {{others[0].serial, exchange(sheet, others[0].serial, std::move(others[0].other))}};
+    std::vector<Serial> changed;
+    for (CurveExchange& one : others) {
+        const bool stays = one.other && indexOf(sheet, one.serial) == one.other->index;
+        one.other = present_.exchange(sheet, one.serial, std::move(one.other));
+        if (stays)
+            changed.push_back(one.serial);
+    }
+    for (const Serial serial : changed)
+        Q_EMIT curveChanged(sheet, serial);
+    Q_EMIT curvesChanged(sheet);
+    std::ranges::reverse(others); // the last change is the first to be taken back
+    return others;
 }
 
 bool OpenDocument::isWithinLimits(SheetIndex sheet, const Sheet& present, std::optional<int> replacedIndex,

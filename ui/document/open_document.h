@@ -3,7 +3,7 @@
 #include "core/document/file_error.h"
 #include "ui/document/serial_document.h"
 #include "ui/document/step_label.h"
-#include "ui/document/swap_curve.h"
+#include "ui/document/swap_curves.h"
 
 #include <QObject>
 #include <QTimer>
@@ -44,6 +44,8 @@ class OpenDocument : public QObject {
     std::optional<Serial> add(SheetIndex sheet, int index, Curve curve, const StepLabel& label);
     /// Two curves in place of one, in one step; the first becomes the active one.
     bool divide(SheetIndex sheet, Serial serial, Curve first, Curve second, const StepLabel& label);
+    /// Above the others, in one step; the last becomes the active one.
+    bool addAll(SheetIndex sheet, std::vector<Curve> curves, const StepLabel& label);
     void remove(SheetIndex sheet, Serial serial, const StepLabel& label);
     void reorder(SheetIndex sheet, Serial serial, int index, const StepLabel& label);
 
@@ -92,7 +94,7 @@ class OpenDocument : public QObject {
     void refused(const kriva::FileError& error);
 
   private:
-    friend class SwapCurve;
+    friend class SwapCurves;
     struct Gesture {
         SheetIndex sheet;
         Serial serial;
@@ -104,7 +106,9 @@ class OpenDocument : public QObject {
 
     /// As SerialDocument does, and tells.
     std::optional<PlacedCurve> exchange(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other);
-    void push(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other, const StepLabel& label);
+    /// The same with several curves, told once; gives what takes it back.
+    std::vector<CurveExchange> exchange(SheetIndex sheet, std::vector<CurveExchange> others);
+    void push(SheetIndex sheet, std::vector<CurveExchange> others, const StepLabel& label);
     /// Whether it may stand in a sheet with these curves, in place of one of them or besides; tells where not.
     bool isWithinLimits(SheetIndex sheet, const Sheet& present, std::optional<int> replacedIndex, const Curve& curve);
     void put(SheetIndex sheet, Serial serial, Curve curve);

@@ -12,6 +12,12 @@ struct PlacedCurve {
     friend bool operator==(const PlacedCurve&, const PlacedCurve&) = default;
 };
 
+/// What is to stand in the place of a curve: nothing where it goes.
+struct CurveExchange {
+    Serial serial = 0;
+    std::optional<PlacedCurve> other;
+};
+
 /// The value of a document whose curves have serials: a curve is found by its serial whatever becomes of the others,
 /// and has the same one when it went and comes back. No serial is given twice while this lives.
 class SerialDocument {

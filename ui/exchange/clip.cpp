@@ -2,7 +2,9 @@
 
 #include "core/exchange/conversion.h"
 #include "core/exchange/curve_svg.h"
+#include "core/exchange/imported.h"
 #include "ui/document/error_text.h"
+#include "ui/exchange/import_text.h"
 #include "ui/exchange/points_table.h"
 #include "ui/figures/caption_text.h"
 
@@ -11,24 +13,45 @@
 namespace kriva::ui {
 namespace {
 
+const QString kSvgFormat = QStringLiteral("image/svg+xml");
+
 [[nodiscard]] QByteArray bytesOf(std::string_view text) {
     return {text.data(), static_cast<qsizetype>(text.size())};
 }
 
-[[nodiscard]] std::variant<Fragment, QString> readOwn(const QByteArray& text, SheetIndex sheet) {
+using Clipped = std::variant<Fragment, std::vector<Curve>, QString>;
+
+class ClipTexts {
+    Q_DECLARE_TR_FUNCTIONS(Clip)
+  public:
+    static QString refusal(const QString& why) { return tr("The clipboard: %1").arg(why); }
+};
+
+[[nodiscard]] Clipped readOwn(const QByteArray& text, SheetIndex sheet) {
     const auto read = readFragment({text.constData(), static_cast<std::size_t>(text.size())});
     if (const FileError* error = std::get_if<FileError>(&read))
-        return QCoreApplication::translate("Clip", "The clipboard: %1").arg(errorText(*error));
+        return ClipTexts::refusal(errorText(*error));
     Fragment fragment = std::get<Fragment>(read);
     fragment.curve = converted(fragment.curve, sheet);
     return fragment;
 }
 
-[[nodiscard]] std::variant<Fragment, QString> readTable(const QString& text, SheetIndex sheet) {
-    const auto read = readPointsTable(text);
-    if (const TableError* error = std::get_if<TableError>(&read))
-        return errorText(*error);
-    return Fragment{Fragment::Content::points, withPointsAdded(emptyCurve(sheet), std::get<Points>(read))};
+/// Points go behind those of a curve that is there; paths are curves of their own.
+[[nodiscard]] Clipped readForeign(const QByteArray& text, SheetIndex sheet) {
+    const auto read = readImport(text);
+    if (const QString* refusal = std::get_if<QString>(&read))
+        return ClipTexts::refusal(*refusal);
+    const auto& paths = std::get<std::vector<ImportedPath>>(read);
+    if (!holdsPaths(text)) {
+        Curve points = emptyCurve(sheet);
+        for (const ImportedPath& imported : paths)
+            points = withPathAdded(std::move(points), imported.path);
+        return Fragment{Fragment::Content::points, std::move(points)};
+    }
+    auto curves = importedCurves(paths, sheet);
+    if (const FileError* error = std::get_if<FileError>(&curves))
+        return ClipTexts::refusal(errorText(*error));
+    return std::get<std::vector<Curve>>(std::move(curves));
 }
 
 } // namespace
@@ -37,14 +60,17 @@ std::unique_ptr<QMimeData> clipOf(const Fragment& fragment, std::optional<double
     auto clip = std::make_unique<QMimeData>();
     clip->setData(QString::fromLatin1(kFragmentFormat), bytesOf(writeFragment(fragment)));
     if (const std::optional<std::string> svg = writeCurveSvg(fragment.curve, mmPerUnit, textSource()))
-        clip->setData(QStringLiteral("image/svg+xml"), bytesOf(*svg));
+        clip->setData(kSvgFormat, bytesOf(*svg));
     clip->setText(pointsTable(pointsOf(fragment.curve)));
     return clip;
 }
 
-std::variant<Fragment, QString> readClip(const QMimeData& clip, SheetIndex sheet) {
+Clipped readClip(const QMimeData& clip, SheetIndex sheet) {
     const QString own = QString::fromLatin1(kFragmentFormat);
-    return clip.hasFormat(own) ? readOwn(clip.data(own), sheet) : readTable(clip.text(), sheet);
+    if (clip.hasFormat(own))
+        return readOwn(clip.data(own), sheet);
+    const bool isFigure = !clip.hasText() && clip.hasFormat(kSvgFormat);
+    return readForeign(isFigure ? clip.data(kSvgFormat) : clip.text().toUtf8(), sheet);
 }
 
 } // namespace kriva::ui

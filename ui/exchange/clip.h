@@ -15,8 +15,8 @@ inline constexpr char kFragmentFormat[] = "application/x-kriva-fragment+json";
 /// table of its points.
 [[nodiscard]] std::unique_ptr<QMimeData> clipOf(const Fragment& fragment, std::optional<double> mmPerUnit);
 
-/// What can be pasted into a sheet, as a fragment of its own kind: a fragment of any sheet, or a table of points; else
-/// one line that says why not, and where.
-[[nodiscard]] std::variant<Fragment, QString> readClip(const QMimeData& clip, SheetIndex sheet);
+/// What can be pasted into a sheet: a fragment of any sheet or a table of points as a fragment of its own kind, the
+/// paths of an SVG figure or of path data as new curves; else one line that says why not, and where.
+[[nodiscard]] std::variant<Fragment, std::vector<Curve>, QString> readClip(const QMimeData& clip, SheetIndex sheet);
 
 } // namespace kriva::ui

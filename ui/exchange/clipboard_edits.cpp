@@ -47,9 +47,13 @@ void cutToClipboard(SheetEditor& editor) {
 QString pasteFromClipboard(SheetEditor& editor) {
     const QMimeData nothing;
     const QMimeData* clip = QGuiApplication::clipboard()->mimeData();
-    const auto read = readClip(clip ? *clip : nothing, editor.index());
+    auto read = readClip(clip ? *clip : nothing, editor.index());
     if (const QString* refusal = std::get_if<QString>(&read))
         return *refusal;
+    if (std::vector<Curve>* curves = std::get_if<std::vector<Curve>>(&read)) {
+        editor.addCurves(std::move(*curves), {QT_TRANSLATE_NOOP("Step", "Paste curves")});
+        return {};
+    }
     const Fragment& fragment = std::get<Fragment>(read);
     if (fragment.content == Fragment::Content::points)
         editor.append(fragment.curve, {QT_TRANSLATE_NOOP("Step", "Paste points")});

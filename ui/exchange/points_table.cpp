@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace kriva::ui {
 namespace {
@@ -33,28 +35,56 @@ std::variant<double, TableError> coordinate(const QString& cell, int line) {
     return *number;
 }
 
-std::variant<Point, TableError> pointOf(const QStringList& cells, int line) {
-    std::array<double, 2> numbers{};
-    for (std::size_t i = 0; i < std::min<std::size_t>(2, static_cast<std::size_t>(cells.size())); ++i) {
-        const auto read = coordinate(cells[static_cast<qsizetype>(i)], line);
+/// A line: the number of its curve, 0 where it has none, and its point.
+struct PointOfCurve {
+    double curve = 0;
+    Point at;
+};
+
+constexpr qsizetype kColumns = 2;
+constexpr qsizetype kOwnColumns = 4; // curve, point, x, y
+
+std::variant<PointOfCurve, TableError> pointOf(const QStringList& cells, qsizetype columns, int line) {
+    std::array<double, kOwnColumns> numbers{};
+    for (qsizetype i = 0; i < std::min(columns, cells.size()); ++i) {
+        const auto read = coordinate(cells[i], line);
         if (const TableError* error = std::get_if<TableError>(&read))
             return *error;
-        numbers[i] = std::get<double>(read);
+        numbers[static_cast<std::size_t>(i)] = std::get<double>(read);
     }
-    if (cells.size() != 2)
+    if (cells.size() != columns)
         return TableError{Reason::notTwoNumbers, line, {}};
-    return Point{numbers[0], numbers[1]};
+    if (columns == kColumns)
+        return PointOfCurve{0, {numbers[0], numbers[1]}};
+    return PointOfCurve{numbers[0], {numbers[2], numbers[3]}};
 }
 
-std::variant<Points, TableError> pointsOf(const std::vector<Line>& lines, const QRegularExpression& separator) {
-    Points points;
-    for (const Line& line : lines) {
-        const auto point = pointOf(line.text.split(separator), line.number);
-        if (const TableError* error = std::get_if<TableError>(&point))
-            return *error;
-        points.push_back(std::get<Point>(point));
+bool isHeading(const QStringList& cells) {
+    return cells.size() > 1 && std::none_of(cells.begin(), cells.end(), [](const QString& cell) {
+               return cell.isEmpty() || parseNumber(cell).has_value();
+           });
+}
+
+std::variant<std::vector<Points>, TableError> pointsOf(std::span<const Line> lines,
+                                                       const QRegularExpression& separator) {
+    qsizetype columns = kColumns;
+    const QStringList first = lines.front().text.split(separator);
+    if (lines.size() > 1 && isHeading(first)) {
+        lines = lines.subspan(1);
+        columns = first.size() == kOwnColumns ? kOwnColumns : kColumns;
     }
-    return points;
+    std::vector<Points> curves;
+    std::optional<double> curve;
+    for (const Line& line : lines) {
+        const auto read = pointOf(line.text.split(separator), columns, line.number);
+        if (const TableError* error = std::get_if<TableError>(&read))
+            return *error;
+        const PointOfCurve& point = std::get<PointOfCurve>(read);
+        if (std::exchange(curve, point.curve) != point.curve)
+            curves.emplace_back();
+        curves.back().push_back(point.at);
+    }
+    return curves;
 }
 
 std::vector<Line> linesOf(const QString& text) {
@@ -64,7 +94,7 @@ std::vector<Line> linesOf(const QString& text) {
         ++number;
         if (const QStringView trimmed = line.trimmed(); !trimmed.isEmpty())
             lines.push_back({trimmed.toString(), number});
-        if (lines.size() > limits::kPointsInCurve)
+        if (lines.size() > limits::kPointsInSheet)
             break;
     }
     return lines;
@@ -76,15 +106,15 @@ class TableErrors {
     static QString text(const TableError& error) {
         switch (error.reason) {
         case Reason::empty:
-            return tr("The clipboard holds no points");
+            return tr("there are no points");
         case Reason::tooManyPoints:
-            return tr("The clipboard: more than %1 points are too many for a curve").arg(limits::kPointsInCurve);
+            return tr("more than %1 points are too many").arg(limits::kPointsInSheet);
         case Reason::notTwoNumbers:
-            return tr("The clipboard, line %1: expected two numbers").arg(error.line);
+            return tr("line %1: expected two numbers").arg(error.line);
         case Reason::noNumber:
-            return tr("The clipboard, line %1: “%2” is no number").arg(error.line).arg(told(error.cell));
+            return tr("line %1: “%2” is no number").arg(error.line).arg(told(error.cell));
         case Reason::outOfRange:
-            return tr("The clipboard, line %1: “%2” is not from %3 to %4")
+            return tr("line %1: “%2” is not from %3 to %4")
                 .arg(QString::number(error.line), told(error.cell), formatNumber(-limits::kNumber),
                      formatNumber(limits::kNumber));
         }
@@ -106,20 +136,20 @@ QString pointsTable(const Points& points) {
     return lines.join(QLatin1Char('\n'));
 }
 
-std::variant<Points, TableError> readPointsTable(const QString& text) {
+std::variant<std::vector<Points>, TableError> readPointsTable(const QString& text) {
     static const QRegularExpression wideSeparator(QStringLiteral("\\s*[\\t;]\\s*|\\s+"));
     static const QRegularExpression comma(QStringLiteral(","));
     const std::vector<Line> lines = linesOf(text);
     if (lines.empty())
         return TableError{};
-    if (lines.size() > limits::kPointsInCurve)
+    if (lines.size() > limits::kPointsInSheet)
         return TableError{Reason::tooManyPoints, 0, {}};
     // One way of reading for the whole table: a comma is the decimal sign in all lines or the separator in all.
     auto wide = pointsOf(lines, wideSeparator);
-    if (std::holds_alternative<Points>(wide))
+    if (std::holds_alternative<std::vector<Points>>(wide))
         return wide;
     auto narrow = pointsOf(lines, comma);
-    if (std::holds_alternative<Points>(narrow))
+    if (std::holds_alternative<std::vector<Points>>(narrow))
         return narrow;
     // What is told is the fault in the way of reading that came further.
     return std::get<TableError>(narrow).line > std::get<TableError>(wide).line ? narrow : wide;

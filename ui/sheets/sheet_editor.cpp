@@ -181,6 +181,10 @@ void SheetEditor::addCurve(Curve curve, const StepLabel& label) {
     document().add(index(), static_cast<int>(sheet().curves.size()), std::move(curve), label);
 }
 
+void SheetEditor::addCurves(std::vector<Curve> curves, const StepLabel& label) {
+    document().addAll(index(), std::move(curves), label);
+}
+
 void SheetEditor::duplicateCurve(Serial serial) {
     if (const Curve* curve = document().find(index(), serial))
         document().add(index(), *document().indexOf(index(), serial) + 1, *curve,

@@ -63,11 +63,6 @@ Join joinOf(const SplineKnot& knot) {
     return length(in - out) <= kRounding * length(in) ? Join::symmetric : Join::smooth;
 }
 
-/// A handle that is not on its knot.
-std::optional<Point> handle(Point at, Point knot) {
-    return at == knot ? std::nullopt : std::optional(at);
-}
-
 } // namespace
 
 SplineCurve withPathAdded(SplineCurve curve, const Path& path) {
@@ -78,8 +73,8 @@ SplineCurve withPathAdded(SplineCurve curve, const Path& path) {
     for (const Cubic& cubic : cubics) {
         if (curve.knots.size() == first)
             curve.knots.push_back({cubic[0], Join::corner, {}, {}});
-        curve.knots.back().out = handle(cubic[1], curve.knots.back().at);
-        curve.knots.push_back({cubic[3], Join::corner, handle(cubic[2], cubic[3]), {}});
+        curve.knots.back().out = cubic[1];
+        curve.knots.push_back({cubic[3], Join::corner, cubic[2], {}});
     }
     if (first == 0 && path.isClosed && !cubics.empty()) {
         curve.closed = true;

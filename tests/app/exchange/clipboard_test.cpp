@@ -126,13 +126,45 @@ TEST_P(ClipboardTest, aTableIntoAnEmptySheetIsANewCurve) {
     EXPECT_EQ(editor().activeCurve(), nullptr);
 }
 
+TEST_P(ClipboardTest, pathDataBecomesCurvesInOneStep) {
+    setText("M10 0C10 -5 20 -5 20 0M0 0h5v5");
+    key(Qt::Key_V);
+    ASSERT_EQ(curves(), 3U);
+    EXPECT_EQ(pointsOf(curve()), (Points{{0, 0}, {5, 0}, {5, -5}}));
+    EXPECT_EQ(steps(), QStringList(QStringLiteral("Paste curves")));
+    document().undo();
+    EXPECT_EQ(curves(), 1U);
+    document().redo();
+    EXPECT_EQ(curves(), 3U);
+}
+
+TEST_P(ClipboardTest, aCopiedPathIsPastedAsTheSameCurve) {
+    if (sheet_ == 3)
+        GTEST_SKIP() << "a path has no polynomials";
+    open({line("One", {{0, 0}, {1, 2}, {3, 2}, {4, 0.5}})});
+    shell.window.findChild<QAction*>(QStringLiteral("copyPath"))->trigger();
+    EXPECT_TRUE(text().startsWith(QStringLiteral("M 0,0 C "))) << text().toStdString();
+    const Figure before = figureOf(curve(), {0, false});
+    key(Qt::Key_V);
+    EXPECT_EQ(curves(), 2U);
+    const auto pathOf = [](const Figure& figure) {
+        const auto layer = std::ranges::find(figure.layers, "curve", &Layer::name);
+        return layer->strokes.front().path;
+    };
+    const Points after = pathOf(figureOf(curve(), {0, false})).points;
+    const Points expected = pathOf(before).points;
+    ASSERT_EQ(after.size(), expected.size());
+    for (std::size_t i = 0; i < after.size(); ++i)
+        EXPECT_LT(distance(after[i], expected[i]), 1e-11);
+}
+
 TEST_P(ClipboardTest, badTextIsRefusedInOneLineThatNamesThePlace) {
     const Curve before = curve();
     for (const auto& [table, line] :
-         {std::pair{"", "The clipboard holds no points"},
-          {"1\t2\nthree\t4", "The clipboard, line 2: “three” is no number"},
-          {"1\t2\t3", "The clipboard, line 1: expected two numbers"},
-          {"2e9\t0", "The clipboard, line 1: “2e9” is not from -1000000000 to 1000000000"}}) {
+         {std::pair{"", "The clipboard: there are no points"},
+          {"1\t2\nthree\t4", "The clipboard: line 2: “three” is no number"},
+          {"1\t2\t3", "The clipboard: line 1: expected two numbers"},
+          {"2e9\t0", "The clipboard: line 1: “2e9” is not from -1000000000 to 1000000000"}}) {
         setText(table);
         key(Qt::Key_V);
         EXPECT_EQ(told(), QString::fromUtf8(line));

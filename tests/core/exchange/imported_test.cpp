@@ -1,3 +1,4 @@
+#include "core/document/document_json.h"
 #include "core/document/limits.h"
 #include "core/exchange/imported.h"
 
@@ -28,6 +29,17 @@ TEST(ImportedCurves, areWhatTheSheetMakesOfThem) {
     const Curve spline = curvesOf({{"Arc", kChain}}, kSpline).front();
     EXPECT_EQ(nameOf(spline), "Arc");
     EXPECT_EQ(segmentsOf(std::get<SplineCurve>(spline)).front(), kCubic.points);
+}
+
+TEST(ImportedCurves, makeADocumentThatReadsBack) {
+    const Path closed{{{0, 0}, {1, 0}, {1, 1}, {0, 0}}, {1, 2}, true};
+    for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
+        Document document;
+        document.sheets[sheet].curves = curvesOf({{"", kChain}, {"", closed}, {"", {{{7, 7}}, {}, false}}}, sheet);
+        const auto read = readDocument(writeDocument(document));
+        ASSERT_TRUE(std::holds_alternative<Document>(read)) << sheetName(sheet);
+        EXPECT_EQ(std::get<Document>(read), document);
+    }
 }
 
 TEST(ImportedCurves, areScaledFirstAndThenMoved) {

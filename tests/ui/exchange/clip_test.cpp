@@ -47,11 +47,33 @@ TEST(Clip, ofAnotherSheetGivesItsPoints) {
     }
 }
 
+TEST(Clip, ofPathsGivesACurveForEach) {
+    const auto curvesOf = [](const QMimeData& clip, SheetIndex sheet) {
+        return std::get<std::vector<Curve>>(readClip(clip, sheet));
+    };
+    QMimeData text;
+    text.setText(QStringLiteral(" M0 0C1 -2 3 -2 4 0m1 0h1"));
+    const std::vector<Curve> curves = curvesOf(text, 2);
+    ASSERT_EQ(curves.size(), 2u);
+    EXPECT_EQ(segmentsOf(std::get<SplineCurve>(curves[0])).front(), (Points{{0, 0}, {1, 2}, {3, 2}, {4, 0}}));
+    EXPECT_EQ(std::get<ElevationCurve>(curvesOf(text, 0)[0]).points, (Points{{0, 0}, {1, 2}, {3, 2}, {4, 0}}));
+    // What other programs put there, and what Kriva puts there for them.
+    QMimeData figure;
+    figure.setData(kSvg, "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0L1 -1'/></svg>");
+    EXPECT_EQ(pointCount(curvesOf(figure, 3)[0]), 2u);
+    const auto own = clipOf({Fragment::Content::curve, arch()}, 10);
+    QMimeData drawn;
+    drawn.setData(kSvg, own->data(kSvg));
+    EXPECT_EQ(curvesOf(drawn, 0).size(), 1u);
+}
+
 TEST(Clip, tellsWhyItIsRefused) {
-    EXPECT_EQ(refusalOf({}), QStringLiteral("The clipboard holds no points"));
+    EXPECT_EQ(refusalOf({}), QStringLiteral("The clipboard: there are no points"));
     QMimeData clip;
     clip.setText(QStringLiteral("1\t2\nthree\t4"));
-    EXPECT_EQ(refusalOf(clip), QString::fromUtf8("The clipboard, line 2: “three” is no number"));
+    EXPECT_EQ(refusalOf(clip), QString::fromUtf8("The clipboard: line 2: “three” is no number"));
+    clip.setText(QStringLiteral("M0 0L1"));
+    EXPECT_EQ(refusalOf(clip), QStringLiteral("The clipboard: line 1, column 7: this is no path data"));
     clip.setData(kOwn, R"({"format":"kriva-fragment","version":1,"content":"points","sheet":"combined",)"
                        R"("curve":{"points":[[0,0],[1,"2"]]}})");
     EXPECT_EQ(refusalOf(clip), QStringLiteral("The clipboard: curve.points[1]: expected two finite numbers"));

@@ -22,6 +22,8 @@ void Actions::makeFile() {
     open = make("open", QT_TRANSLATE_NOOP("Actions", "&Open…"), QKeySequence::Open, IconName::Open);
     save = make("save", QT_TRANSLATE_NOOP("Actions", "&Save"), QKeySequence::Save, IconName::Save);
     saveAs = make("saveAs", QT_TRANSLATE_NOOP("Actions", "Save &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+    importPoints = make("importPoints", QT_TRANSLATE_NOOP("Actions", "&Import points…"),
+                        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
     exportFigure = make("exportFigure", QT_TRANSLATE_NOOP("Actions", "&Export figure…"),
                         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), IconName::Export);
     exportAgain =
@@ -29,6 +31,8 @@ void Actions::makeFile() {
     copyFigure = make("copyFigure", QT_TRANSLATE_NOOP("Actions", "Copy &figure"),
                       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C));
     copyTikz = make("copyTikz", QT_TRANSLATE_NOOP("Actions", "Copy as &TikZ"));
+    copyPath = make("copyPath", QT_TRANSLATE_NOOP("Actions", "Copy pat&h"));
+    print = make("print", QT_TRANSLATE_NOOP("Actions", "&Print…"), QKeySequence::Print);
     quit = make("quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q));
     quit->setMenuRole(QAction::QuitRole);
 }

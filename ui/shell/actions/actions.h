@@ -22,10 +22,13 @@ class Actions : public QObject {
     QAction* open;
     QAction* save;
     QAction* saveAs;
+    QAction* importPoints;
     QAction* exportFigure;
     QAction* exportAgain;
     QAction* copyFigure;
     QAction* copyTikz;
+    QAction* copyPath;
+    QAction* print;
     QAction* quit;
     // Edit
     QAction* undo;

@@ -43,7 +43,10 @@ void Menus::fillFile(const Actions& actions) {
     file->addSeparator();
     file->addActions({actions.save, actions.saveAs});
     file->addSeparator();
-    file->addActions({actions.exportFigure, actions.exportAgain, actions.copyFigure, actions.copyTikz});
+    file->addActions({actions.importPoints, actions.exportFigure, actions.exportAgain, actions.copyFigure,
+                      actions.copyTikz, actions.copyPath});
+    file->addSeparator();
+    file->addAction(actions.print);
     file->addSeparator();
     file->addAction(actions.quit);
 }

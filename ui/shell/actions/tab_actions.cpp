@@ -4,6 +4,7 @@
 #include "ui/shell/actions/actions.h"
 #include "ui/shell/actions/menus.h"
 #include "ui/shell/document_session.h"
+#include "ui/shell/import/points_import.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/preferences.h"
 
@@ -41,6 +42,7 @@ SheetEditor& TabActions::editor() const {
 }
 
 void TabActions::connectOutlets() {
+    connect(actions_.importPoints, &QAction::triggered, this, [this] { importPoints(editor(), &window_); });
     connect(actions_.exportFigure, &QAction::triggered, this, [this] {
         window_.document().endGesture();
         export_.ask(editor(), window_.session().name());
@@ -51,6 +53,11 @@ void TabActions::connectOutlets() {
     });
     connect(actions_.copyFigure, &QAction::triggered, this, [this] { export_.copy(editor()); });
     connect(actions_.copyTikz, &QAction::triggered, this, [this] { export_.copyTikz(editor()); });
+    connect(actions_.copyPath, &QAction::triggered, this, [this] { export_.copyPath(editor()); });
+    connect(actions_.print, &QAction::triggered, this, [this] {
+        window_.document().endGesture();
+        export_.print(editor(), window_.session().name());
+    });
     connect(&export_, &FigureExport::told, this, &TabActions::told);
     connect(&window_.document(), &OpenDocument::replaced, &export_, &FigureExport::forgetFiles);
     connect(actions_.cut, &QAction::triggered, this, [this] { cutToClipboard(editor()); });
@@ -106,7 +113,8 @@ void TabActions::follow() {
 void TabActions::followCurve() {
     const Sheet& sheet = editor().sheet();
     const Curve* curve = editor().activeCurve();
-    for (QAction* action : {actions_.cut, actions_.copy, actions_.duplicate, actions_.renameCurve, actions_.showCurve})
+    for (QAction* action :
+         {actions_.cut, actions_.copy, actions_.duplicate, actions_.copyPath, actions_.renameCurve, actions_.showCurve})
         action->setEnabled(curve != nullptr);
     menus_.setHasCurve(curve != nullptr);
     actions_.moveCurveUp->setEnabled(curve && sheet.view.activeCurve > 0);

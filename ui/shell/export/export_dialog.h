@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ui/figures/figure_file.h"
+#include "ui/figures/figure_preview.h"
 #include "ui/panels/controls/number_field.h"
-#include "ui/shell/export/figure_preview.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,7 +1,9 @@
 #include "ui/shell/export/figure_export.h"
 
+#include "core/exchange/curve_svg.h"
 #include "ui/document/error_text.h"
 #include "ui/figures/caption_text.h"
+#include "ui/figures/print_drawing.h"
 #include "ui/sheets/sheet_editor.h"
 #include "ui/shell/export/export_dialog.h"
 
@@ -11,6 +13,8 @@
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPrinter>
+#include <QPrintPreviewDialog>
 
 #include <array>
 #include <memory>
@@ -133,6 +137,27 @@ void FigureExport::copyTikz(const SheetEditor& editor) const {
         QGuiApplication::clipboard()->setText(QString::fromUtf8(*text));
     else
         tellFailure(faultText(std::get<FigureFault>(made)), window_);
+}
+
+void FigureExport::copyPath(const SheetEditor& editor) const {
+    const Curve* curve = editor.activeCurve();
+    const std::optional<std::string> data = curve ? writeCurvePathData(*curve) : std::nullopt;
+    if (data)
+        QGuiApplication::clipboard()->setText(QString::fromStdString(*data));
+}
+
+void FigureExport::print(const SheetEditor& editor, const QString& name) {
+    const Drawing drawing =
+        drawingOf(editor.documentOnView(), editor.index(), textSource(), last_[editor.index()].options.drawing);
+    QPrinter printer(QPrinter::HighResolution);
+    printer.setDocName(name);
+    printer.setPageOrientation(drawing.page.width > drawing.page.height ? QPageLayout::Landscape
+                                                                        : QPageLayout::Portrait);
+    QPrintPreviewDialog preview(&printer, window_);
+    preview.setWindowTitle(tr("Print"));
+    connect(&preview, &QPrintPreviewDialog::paintRequested, this,
+            [&drawing](QPrinter* paper) { printDrawing(*paper, drawing, textSource()); });
+    preview.exec();
 }
 
 void FigureExport::forgetFiles() {

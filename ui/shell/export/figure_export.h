@@ -29,6 +29,10 @@ class FigureExport : public QObject {
     /// As SVG, PDF and PNG at once.
     void copy(const SheetEditor& editor) const;
     void copyTikz(const SheetEditor& editor) const;
+    /// The data of the active curve's path as text.
+    void copyPath(const SheetEditor& editor) const;
+    /// Shows the figure on paper, where printing can be set up and begun.
+    void print(const SheetEditor& editor, const QString& name);
     /// Another document is open: its figures go into files of their own.
     void forgetFiles();
 

@@ -1,4 +1,4 @@
-#include "ui/shell/export/figure_preview.h"
+#include "ui/figures/figure_preview.h"
 
 #include "ui/figures/caption_text.h"
 #include "ui/figures/drawing_painter.h"

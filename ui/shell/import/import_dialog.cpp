@@ -1,0 +1,134 @@
+#include "ui/shell/import/import_dialog.h"
+
+#include "core/document/limits.h"
+#include "ui/document/error_text.h"
+#include "ui/figures/caption_text.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <array>
+#include <utility>
+
+namespace kriva::ui {
+namespace {
+
+constexpr double kLeastScale = 1e-6;
+constexpr double kMostScale = 1e6;
+
+} // namespace
+
+ImportDialog::ImportDialog(std::vector<ImportedPath> paths, SheetIndex sheet, QWidget* parent)
+    : QDialog(parent)
+    , paths_(std::move(paths))
+    , sheet_(sheet)
+    , preview_(new FigurePreview(this))
+    , list_(new QListWidget(this))
+    , listLabel_(new QLabel(this))
+    , form_(new QFormLayout)
+    , scale_(new NumberField(this))
+    , x_(new NumberField(this))
+    , y_(new NumberField(this))
+    , told_(new QLabel(this))
+    , buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
+    fill();
+    layOut();
+    connect(list_, &QListWidget::itemChanged, this, &ImportDialog::showCurves);
+    for (NumberField* field : {scale_, x_, y_})
+        connect(field, &NumberField::valueCommitted, this, &ImportDialog::showCurves);
+    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    retranslateUi();
+}
+
+void ImportDialog::fill() {
+    for (std::size_t i = 0; i < paths_.size(); ++i) {
+        auto* item = new QListWidgetItem(list_);
+        item->setCheckState(Qt::Checked);
+    }
+    scale_->setRange({kLeastScale, kMostScale});
+    scale_->setValue(1);
+    for (NumberField* field : {x_, y_}) {
+        field->setRange({-limits::kNumber, limits::kNumber});
+        field->setValue(0);
+    }
+}
+
+void ImportDialog::layOut() {
+    for (NumberField* field : {scale_, x_, y_}) {
+        auto* label = new QLabel(this);
+        label->setBuddy(field);
+        form_->addRow(label, field);
+    }
+    listLabel_->setBuddy(list_);
+    told_->setWordWrap(true);
+    auto* fields = new QVBoxLayout;
+    fields->addWidget(listLabel_);
+    fields->addWidget(list_, 1);
+    fields->addLayout(form_);
+    fields->addWidget(told_);
+    auto* both = new QHBoxLayout;
+    both->addWidget(preview_, 1);
+    both->addLayout(fields);
+    auto* layout = new QVBoxLayout(this);
+    layout->addLayout(both, 1);
+    layout->addWidget(buttons_);
+}
+
+void ImportDialog::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    QDialog::changeEvent(event);
+}
+
+void ImportDialog::retranslateUi() {
+    setWindowTitle(tr("Import points"));
+    listLabel_->setText(tr("&Curves"));
+    list_->setAccessibleName(tr("Curves"));
+    for (int i = 0; i < list_->count(); ++i)
+        list_->item(i)->setText(nameOfPath(i));
+    const std::array texts{std::pair(scale_, tr("&Scale")), std::pair(x_, tr("Move by &x")),
+                           std::pair(y_, tr("Move by &y"))};
+    for (const auto& [field, text] : texts) {
+        static_cast<QLabel*>(form_->labelForField(field))->setText(text);
+        field->setAccessibleName(QString(text).remove(u'&'));
+    }
+    preview_->setAccessibleName(tr("The curves as they will be"));
+    buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Import"));
+    showCurves();
+}
+
+QString ImportDialog::nameOfPath(int index) const {
+    const ImportedPath& path = paths_[static_cast<std::size_t>(index)];
+    const auto points = static_cast<int>(pointsOf(path.path).size());
+    const QString count = tr("%n point(s)", nullptr, points);
+    return path.name.empty() ? QStringLiteral("%1: %2").arg(index + 1).arg(count)
+                             : QStringLiteral("%1: %2").arg(QString::fromStdString(path.name), count);
+}
+
+std::vector<ImportedPath> ImportDialog::chosenPaths() const {
+    std::vector<ImportedPath> chosen;
+    for (int i = 0; i < list_->count(); ++i)
+        if (list_->item(i)->checkState() == Qt::Checked)
+            chosen.push_back(paths_[static_cast<std::size_t>(i)]);
+    return chosen;
+}
+
+void ImportDialog::showCurves() {
+    const Placing placing{scale_->value(), {x_->value(), y_->value()}};
+    auto read = importedCurves(chosenPaths(), sheet_, placing);
+    curves_.clear();
+    told_->clear();
+    if (const FileError* error = std::get_if<FileError>(&read))
+        told_->setText(errorText(*error));
+    else
+        curves_ = std::get<std::vector<Curve>>(std::move(read));
+    buttons_->button(QDialogButtonBox::Ok)->setEnabled(!curves_.empty());
+    Document document;
+    document.sheets[sheet_].curves = curves_;
+    preview_->setDrawing(curves_.empty() ? Drawing() : drawingOf(document, sheet_, textSource()));
+}
+
+} // namespace kriva::ui

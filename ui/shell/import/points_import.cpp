@@ -1,0 +1,45 @@
+#include "ui/shell/import/points_import.h"
+
+#include "ui/document/bounded_read.h"
+#include "ui/document/error_text.h"
+#include "ui/exchange/import_text.h"
+#include "ui/sheets/sheet_editor.h"
+#include "ui/shell/import/import_dialog.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QMessageBox>
+
+namespace kriva::ui {
+namespace {
+
+class PointsImport {
+    Q_DECLARE_TR_FUNCTIONS(PointsImport)
+  public:
+    static QString title() { return tr("Import points"); }
+    static QString filters() { return tr("Paths and points (*.svg *.csv *.tsv *.txt);;All files (*)"); }
+    static QString failure() { return tr("Nothing was imported"); }
+};
+
+} // namespace
+
+void importPoints(SheetEditor& editor, QWidget* window) {
+    editor.document().endGesture();
+    const QString path = QFileDialog::getOpenFileName(window, PointsImport::title(), {}, PointsImport::filters());
+    if (path.isEmpty())
+        return;
+    const auto refuse = [window](const QString& sentence) {
+        QMessageBox(QMessageBox::Critical, PointsImport::failure(), sentence, QMessageBox::Ok, window).exec();
+    };
+    const auto bytes = boundedRead(path);
+    if (const ReadError* error = std::get_if<ReadError>(&bytes))
+        return refuse(errorText(OpenError(*error), path));
+    auto read = readImport(std::get<QByteArray>(bytes));
+    if (const QString* refusal = std::get_if<QString>(&read))
+        return refuse(QStringLiteral("%1: %2").arg(path, *refusal));
+    ImportDialog dialog(std::get<std::vector<ImportedPath>>(std::move(read)), editor.index(), window);
+    if (dialog.exec() == QDialog::Accepted)
+        editor.addCurves(dialog.curves(), {QT_TRANSLATE_NOOP("Step", "Import curves")});
+}
+
+} // namespace kriva::ui
