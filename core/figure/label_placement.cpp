@@ -45,6 +45,8 @@ PlacedLabel unplaced(const Label& label, const TextSource& texts) {
     PlacedLabel placed;
     if (label.caption != Caption::none)
         placed.text = texts.translate(label.caption);
+    if (label.caption != Caption::none && (label.number || !label.text.empty()))
+        placed.text += "\u00a0"; // "Run 3" stays on one line
     if (label.number)
         placed.text += texts.number(label.number->value, label.number->decimals);
     placed.text += label.text;

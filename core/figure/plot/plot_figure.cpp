@@ -12,10 +12,10 @@ namespace kriva {
 namespace {
 
 // Room around the frame, in millimetres.
-constexpr double kLeft = 13;  ///< for the numbers of y
-constexpr double kBelow = 8;  ///< for those of x
-constexpr double kBeside = 4; ///< for half of the last number of x
-constexpr double kLegend = 24;
+constexpr double kLeft = 13;   ///< for the numbers of y
+constexpr double kBelow = 8;   ///< for those of x
+constexpr double kBeside = 4;  ///< for half of the last number of x
+constexpr double kLegend = 28; ///< a sample of the line and a word with a number
 
 // Between neighbouring numbers, in millimetres.
 constexpr double kSpacingX = 14;
@@ -23,6 +23,7 @@ constexpr double kSpacingY = 9;
 
 constexpr std::size_t kMostEntries = 16; ///< of the legend: more would not fit
 constexpr double kEntryHeight = 4.6;
+constexpr double kLeastEntryHeight = 3.4; ///< lines of text that do not touch
 constexpr double kSampleLength = 6;
 
 bool hasName(const PlotLine& line) {
@@ -186,29 +187,36 @@ void addGiven(const Plot& plot, const Box& frame, Figure& figure) {
         layerOf(figure, "plot-given").marks.push_back(std::move(marks));
 }
 
-void addLegend(const Plot& plot, const Box& frame, Figure& figure) {
+/// As far apart as they like, closer together where the plot is low; what then has no room is left out.
+void addLegend(const Plot& plot, const Box& frame, double bottom, double top, Figure& figure) {
     if (!hasLegend(plot))
         return;
     Layer& layer = layerOf(figure, "plot-legend");
-    Point at{frame.xmax + kBeside, frame.ymax - kEntryHeight / 2};
+    const auto entries = static_cast<double>(std::ranges::count_if(plot.lines, hasName));
+    const double step = std::clamp((top - bottom) / entries, kLeastEntryHeight, kEntryHeight);
+    const bool isBesideFrame = frame.ymax - entries * step >= bottom;
+    Point at{frame.xmax + kBeside, (isBesideFrame ? std::min(top, frame.ymax) : top) - step / 2};
     for (const PlotLine& line : plot.lines) {
         if (!hasName(line))
             continue;
+        if (at.y - step / 2 < bottom)
+            break;
         const Points sample{at, at + Vector{kSampleLength, 0}};
         layer.strokes.push_back({polyline(sample), line.role, line.series});
         Label label{sample.back(), line.caption, line.letter, line.index};
         label.side = LabelSide::right;
         layer.labels.push_back(std::move(label));
-        at = at - Vector{0, kEntryHeight};
+        at = at - Vector{0, step};
     }
 }
 
-void addPlot(const Plot& plot, const Box& frame, Figure& figure) {
+/// Between these heights, its frame among them.
+void addPlot(const Plot& plot, const Box& frame, double bottom, double top, Figure& figure) {
     addAxes(plot, frame, figure);
     addLines(plot, frame, figure);
     addGiven(plot, frame, figure);
     addMarks(plot, frame, figure);
-    addLegend(plot, frame, figure);
+    addLegend(plot, frame, bottom, top, figure);
 }
 
 } // namespace
@@ -245,7 +253,7 @@ Figure plotFigure(std::span<const Plot> plots, PlotSize size) {
         Box frame = plotFrame(plot, size);
         frame.ymin += above;
         frame.ymax += above;
-        addPlot(plot, frame, figure);
+        addPlot(plot, frame, above, above + size.height, figure);
     }
     return figure;
 }

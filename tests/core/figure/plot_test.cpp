@@ -43,6 +43,30 @@ TEST(BernsteinPlot, hasTheWeightsAtT) {
     EXPECT_FALSE(valueAt(bernsteinPlot(4, 0.5).lines[0], 1.5));
 }
 
+/// The heights of the entries, from the top.
+std::vector<double> legendOf(int degree, double height) {
+    std::vector<double> heights;
+    const Figure figure = figureOfOne(bernsteinPlot(degree, 0.5), {90, height});
+    for (const Label& label : find(figure, "plot-legend")->labels)
+        heights.push_back(label.at.y);
+    return heights;
+}
+
+TEST(PlotFigure, keepsItsLegendInsideAndLegible) {
+    constexpr double kLetters = 3.2; // millimetres: the height of a line of 9 points
+    for (const int degree : {2, 4, 15})
+        for (const double height : {20.0, 27.0, 60.0}) {
+            const std::vector<double> entries = legendOf(degree, height);
+            ASSERT_FALSE(entries.empty());
+            EXPECT_LE(entries.front() + kLetters / 2, height);
+            EXPECT_GE(entries.back() - kLetters / 2, -0.1);
+            for (std::size_t i = 1; i < entries.size(); ++i)
+                EXPECT_GE(entries[i - 1] - entries[i], kLetters);
+        }
+    EXPECT_EQ(legendOf(4, 20).size(), 5U) << "closer together";
+    EXPECT_LT(legendOf(15, 20).size(), 16U) << "no room for all";
+}
+
 TEST(PlotFigure, drawsLinesExactlyInsideTheFrame) {
     const Plot plot = bernsteinPlot(3, 0.5);
     const PlotSize size;
