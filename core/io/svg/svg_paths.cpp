@@ -1,6 +1,7 @@
 #include "core/io/svg/svg_paths.h"
 
 #include "core/document/limits.h"
+#include "core/io/svg/svg_namespace.h"
 #include "core/io/svg/svg_scanner.h"
 #include "core/io/svg/svg_shapes.h"
 #include "core/io/svg/svg_transform.h"
@@ -101,7 +102,8 @@ std::variant<std::vector<ImportedPath>, FileError> SvgPaths::read() && {
     else
         place.viewport = {readLength(root_.attribute("width").value(), kUsual.width).value_or(kUsual.width),
                           readLength(root_.attribute("height").value(), kUsual.height).value_or(kUsual.height)};
-    if (!children(root_, place))
+    const pugi::xml_node ownCurves = root_.find_child_by_attribute("id", kSvgCurveLayer);
+    if (!(ownCurves ? element(ownCurves, place) : children(root_, place)))
         return std::move(*fault_);
     if (paths_.empty()) {
         FileError error;

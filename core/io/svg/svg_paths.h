@@ -17,7 +17,8 @@ struct ImportedPath {
 
 /// Everything that an SVG file draws as lines, one path for each subpath, in the order of drawing: paths with all
 /// their commands, the basic shapes, `use` and nested viewports, with all transforms done. Coordinates are user units
-/// of the outermost `svg`, with y up. What is not displayed is left out. Style sheets and clips are not looked at.
+/// of the outermost `svg`, with y up. What is not displayed is left out. Style sheets and clips are not looked at. Of a
+/// figure of Kriva's own, its curves alone are taken, without polygons, marks and paper.
 /// Refused where a shape cannot be read, at the line of its element, beyond the limits of sheets and of XML, and where
 /// nothing is drawn. Linear in what is drawn.
 [[nodiscard]] std::variant<std::vector<ImportedPath>, FileError> readSvgPaths(std::string_view svg);

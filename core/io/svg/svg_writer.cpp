@@ -9,6 +9,7 @@
 #include "core/io/svg/svg_path.h"
 #include "core/io/svg/xml_text.h"
 
+#include <algorithm>
 #include <set>
 
 namespace kriva {
@@ -118,14 +119,16 @@ void SvgText::layer(std::size_t index, const std::vector<PlacedLabel>& labels) {
 }
 
 void SvgText::stroke(const Stroke& stroke, bool isOfCurves) {
-    const std::string data = pathData(stroke.path, drawing_.page, decimals_);
-    if (data.empty())
+    const std::vector<int>& degrees = stroke.path.degrees;
+    if (std::ranges::all_of(degrees, [](int degree) { return degree == 0; }))
         return;
     const RoleStyle style = styleOf(stroke, drawing_.theme);
     text_ += "<path";
     if (isOfCurves && stroke.curve >= 0 && namedCurves_.insert(stroke.curve).second)
         attribute("id", "curve-" + decimal(stroke.curve));
-    attribute("d", data);
+    text_ += " d=\"";
+    appendPathData(text_, stroke.path, drawing_.page, decimals_);
+    text_ += '"';
     attribute("fill", "none");
     attribute("stroke", hexOf(style.color));
     attribute("stroke-width", fromPoints(style.width));

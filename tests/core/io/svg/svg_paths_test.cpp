@@ -109,6 +109,13 @@ TEST(SvgPaths, readsUnitsAndPerCent) {
     EXPECT_EQ(pointsOfFirst("<line x2='100%' y2='72pt'/>"), (Points{{0, 0}, {200, -96}}));
 }
 
+TEST(SvgPaths, takesTheCurvesAloneOfAFigureOfKriva) {
+    const std::vector<ImportedPath> paths = read("<rect id='paper' width='9' height='9'/><g id='layer-polygon'><path "
+                                                 "d='M0 0h1'/></g><g id='layer-curve'><path d='M0 0h2'/></g>");
+    ASSERT_EQ(paths.size(), 1);
+    EXPECT_EQ(paths[0].path.points.back(), (Point{2, 0}));
+}
+
 TEST(SvgPaths, takesTheNameThatAPersonGave) {
     const std::vector<ImportedPath> paths =
         read("<g inkscape:label='Layer'><path id='path12' d='M0 0h1'/><path inkscape:label='Arc' d='M0 0h1'/></g>");
