@@ -1,6 +1,5 @@
 #include "core/io/plain_number.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -51,8 +50,10 @@ char* writeUnits(char* to, std::int64_t units, int decimals) {
         *to++ = '0';
         return to;
     }
-    std::array<char, 24> digits;
-    char* const end = digits.data() + digits.size();
+    // Copied by a fixed length, which is two instructions; what is behind the digits is overwritten by what comes next.
+    constexpr std::size_t kMostDigits = 24;
+    std::array<char, 2 * kMostDigits> digits{};
+    char* const end = digits.data() + kMostDigits;
     char* first = end;
     for (; rest >= 100; rest /= 100)
         std::memcpy(first -= 2, &kPairs[2 * (rest % 100)], 2);
@@ -63,11 +64,13 @@ char* writeUnits(char* to, std::int64_t units, int decimals) {
     while (end - first <= decimals)
         *--first = '0';
     const char* const point = end - decimals;
-    to = std::copy(static_cast<const char*>(first), point, to);
+    std::memcpy(to, first, kMostDigits);
+    to += point - first;
     if (decimals == 0)
         return to;
     *to++ = '.';
-    return std::copy(point, static_cast<const char*>(end), to);
+    std::memcpy(to, point, kMostDigits);
+    return to + decimals;
 }
 
 /// Of any number: by its exact value.

@@ -25,9 +25,12 @@ const Path& walk() {
 const TextSource kTexts{[](Caption) { return std::string(); }, [](double, int) { return std::string(); }, "en"};
 
 std::string written(std::optional<int> decimals) {
-    Drawing drawing;
-    drawing.figure.layers = {{"curve", {{walk(), Role::curve}}}};
-    drawing.page = pageOf(boxOf(walk().points), 1);
+    static const Drawing drawing = [] {
+        Drawing made;
+        made.figure.layers = {{"curve", {{walk(), Role::curve}}}};
+        made.page = pageOf(boxOf(walk().points), 1);
+        return made;
+    }();
     return writeSvg(drawing, kTexts, {{}, decimals, false});
 }
 
