@@ -44,7 +44,7 @@ std::int64_t inUnits(double value, int decimals) {
 
 int digitsOf(std::uint64_t number) {
     // The logarithm of 2 is 1233 / 4096 to four digits.
-    const int least = std::bit_width(number | 1) * 1233 >> 12;
+    const int least = static_cast<int>(std::bit_width(number | 1)) * 1233 >> 12;
     return least + static_cast<int>(static_cast<double>(number) >= kPowers[static_cast<std::size_t>(least)]);
 }
 
