@@ -1,90 +1,51 @@
 #include "core/io/plain_number.h"
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <string_view>
+#include <utility>
 
 namespace kriva {
 namespace {
 
-/// "00", "01" and so on, up to "99".
-constexpr std::array<char, 200> kPairs = [] {
-    std::array<char, 200> pairs{};
-    for (std::size_t i = 0; i < 100; ++i) {
-        pairs[2 * i] = static_cast<char>('0' + i / 10);
-        pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
+/// Three digits of a number, and how many they are without zeros at their end.
+struct Group {
+    std::array<char, 3> digits;
+    std::uint8_t significant;
+};
+
+constexpr std::array<Group, 1000> kGroups = [] {
+    std::array<Group, 1000> groups{};
+    for (int i = 0; i < 1000; ++i) {
+        Group& group = groups[static_cast<std::size_t>(i)];
+        group.digits = {static_cast<char>('0' + i / 100), static_cast<char>('0' + i / 10 % 10),
+                        static_cast<char>('0' + i % 10)};
+        group.significant = i == 0 ? 0 : i % 10 != 0 ? 3 : i % 100 != 0 ? 2 : 1;
     }
-    return pairs;
+    return groups;
 }();
 
-constexpr std::array<double, 15> kPowers{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14};
-
-constexpr std::int64_t kUnsure = std::numeric_limits<std::int64_t>::min();
-
-/// The value in units of its last decimal, where a double tells how it is rounded: the product is off by at most
-/// 2^-8 below 2^45, so that only near a half the exact value must decide.
-std::int64_t inUnits(double value, int decimals) {
-    constexpr double kMost = 0x1p45;
-    constexpr double kOff = 0x1p-8;
-    constexpr int kMostDecimals = 13;
-    if (decimals < 0 || decimals > kMostDecimals)
-        return kUnsure;
-    const double product = value * kPowers[static_cast<std::size_t>(decimals)];
-    if (!(std::abs(product) < kMost))
-        return kUnsure;
-    const auto units = static_cast<std::int64_t>(product + std::copysign(0.5, product));
-    return std::abs(product - static_cast<double>(units)) < 0.5 - kOff ? units : kUnsure;
+constexpr std::uint64_t powerOfTen(int exponent) {
+    return exponent == 0 ? 1 : 10 * powerOfTen(exponent - 1);
 }
 
-int digitsOf(std::uint64_t number) {
-    // The logarithm of 2 is 1233 / 4096 to four digits.
-    const int least = static_cast<int>(std::bit_width(number | 1)) * 1233 >> 12;
-    return least + static_cast<int>(static_cast<double>(number) >= kPowers[static_cast<std::size_t>(least)]);
+/// Copies all of a group, which is one instruction; what is too much is overwritten by what comes next.
+void copy(char* to, std::uint64_t group) {
+    std::memcpy(to, &kGroups[group], sizeof(Group));
 }
 
-/// Eight digits before `end`, with zeros in front, without a branch.
-void writeEight(char* end, std::uint32_t number) {
-    const std::uint32_t high = number / 10'000;
-    const std::uint32_t low = number % 10'000;
-    std::memcpy(end - 8, &kPairs[2 * (high / 100)], 2);
-    std::memcpy(end - 6, &kPairs[2 * (high % 100)], 2);
-    std::memcpy(end - 4, &kPairs[2 * (low / 100)], 2);
-    std::memcpy(end - 2, &kPairs[2 * (low % 100)], 2);
-}
-
-char* writeUnits(char* to, std::int64_t units, int decimals) {
-    constexpr std::uint64_t kEight = 100'000'000;
-    constexpr std::size_t kMostDigits = 16; // of 2^45 or of 13 decimals and a zero before them
-    if (units == 0) {
-        *to = '0';
-        return to + 1;
+char* writeWhole(char* to, std::uint64_t whole) {
+    if (whole >= 1000) {
+        to = writeWhole(to, whole / 1000);
+        copy(to, whole % 1000);
+        return to + 3;
     }
-    *to = '-';
-    to += units < 0 ? 1 : 0;
-    const auto number = static_cast<std::uint64_t>(units < 0 ? -units : units);
-    std::array<char, 2 * kMostDigits> digits{};
-    char* const end = digits.data() + kMostDigits;
-    writeEight(end, static_cast<std::uint32_t>(number % kEight));
-    writeEight(end - 8, static_cast<std::uint32_t>(number / kEight));
-    const char* const first = end - std::max(digitsOf(number), decimals + 1);
-    const char* const point = end - decimals;
-    // Copied by a fixed length, which is two instructions; what is behind the digits is overwritten by what comes next.
-    std::memcpy(to, first, kMostDigits);
-    to += point - first;
-    if (decimals == 0)
-        return to;
-    *to = '.';
-    std::memcpy(to + 1, point, kMostDigits);
-    to += 1 + decimals;
-    while (to[-1] == '0')
-        --to;
-    return to[-1] == '.' ? to - 1 : to;
+    const int digits = 1 + static_cast<int>(whole >= 10) + static_cast<int>(whole >= 100);
+    std::memcpy(to, kGroups[whole].digits.data() + 3 - digits, 3); // the last group has a byte behind its digits
+    return to + digits;
 }
 
 /// Of any number: by its exact value.
@@ -102,11 +63,55 @@ char* writeExactly(char* to, double value, int decimals) {
     return end;
 }
 
+/// By whole numbers: the value is counted in units of its last decimal. A double tells their number as long as the
+/// product is below 2^45, where it is off by at most 2^-8, and not that near to a half.
+template <int decimals>
+char* writeUnits(char* to, double value) {
+    constexpr double kMost = 0x1p45;
+    constexpr double kOff = 0x1p-8;
+    constexpr std::uint64_t kUnit = powerOfTen(decimals);
+    const double product = std::abs(value) * static_cast<double>(kUnit);
+    if (!(product < kMost))
+        return writeExactly(to, value, decimals);
+    const auto units = static_cast<std::uint64_t>(static_cast<std::int64_t>(product + 0.5));
+    if (std::abs(product - static_cast<double>(static_cast<std::int64_t>(units))) > 0.5 - kOff)
+        return writeExactly(to, value, decimals);
+    *to = '-';
+    to += static_cast<int>(value < 0 && units > 0);
+    to = writeWhole(to, units / kUnit);
+    constexpr int kCount = (decimals + 2) / 3;
+    std::uint64_t fraction = units % kUnit * powerOfTen(3 * kCount - decimals);
+    if (fraction == 0)
+        return to;
+    *to++ = '.';
+    std::array<std::uint64_t, kCount> groups{};
+    for (std::size_t i = groups.size(); i-- > 0; fraction /= 1000)
+        groups[i] = fraction % 1000;
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        copy(to + 3 * i, groups[i]);
+        if (groups[i] != 0)
+            last = i;
+    }
+    return to + 3 * last + kGroups[groups[last]].significant;
+}
+
+using Writer = char* (*)(char*, double);
+
+template <int... decimals>
+constexpr std::array<Writer, sizeof...(decimals)> writers(std::integer_sequence<int, decimals...>) {
+    return {writeUnits<decimals>...};
+}
+
+/// By the number of decimals.
+constexpr auto kWriters = writers(std::make_integer_sequence<int, 14>());
+
 } // namespace
 
 char* writePlainNumber(char* to, double value, int decimals) {
-    const std::int64_t units = inUnits(value, decimals);
-    return units != kUnsure ? writeUnits(to, units, decimals) : writeExactly(to, value, decimals);
+    if (decimals < 0 || decimals >= static_cast<int>(kWriters.size()))
+        return writeExactly(to, value, decimals);
+    return kWriters[static_cast<std::size_t>(decimals)](to, value);
 }
 
 std::string plainNumber(double value, int decimals) {
