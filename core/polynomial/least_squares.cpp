@@ -41,35 +41,44 @@ Column mappedPlaces(std::span<const Point> points) {
     return places;
 }
 
-/// Makes a column orthogonal to the unit columns and of length 1.
-void orthonormalise(Column& column, const std::vector<Column>& basis) {
+/// Makes a column orthogonal to the unit columns and of length 1; false where double-doubles tell nothing of it but its
+/// parts along them.
+bool orthonormalise(Column& column, const std::vector<Column>& basis) {
     // Cancellation leaves parts as large as it is strong. Below this factor a second pass is due, and enough (Parlett,
     // The Symmetric Eigenvalue Problem, section 6.9, after Kahan); above it 28 of 32 digits stand.
     constexpr double kStrongCancellation = 1e-3;
+    constexpr double kNothing = 0x1p-90; // some 14 bits above their unit
     double before = 0;
     DoubleDouble norm = sqrt(dot(column, column));
+    const double whole = norm.high;
     do {
         before = norm.high;
         for (const Column& unit : basis)
             removePart(column, unit);
         norm = sqrt(dot(column, column));
     } while (norm.high < kStrongCancellation * before);
+    if (!(norm.high > kNothing * whole))
+        return false;
     const DoubleDouble scale = DoubleDouble(1) / norm;
     for (DoubleDouble& element : column)
         element = element * scale;
+    return true;
 }
 
-/// Takes away from the values their part in the polynomials of the degree: what is left are the residuals.
-void removePolynomial(Column& values, const Column& places, int degree) {
+/// Takes away from the values their part in the polynomials of the degree: what is left are the residuals. Gives the
+/// degree that the places tell apart.
+int removePolynomial(Column& values, const Column& places, int degree) {
     std::vector<Column> basis;
     Column next(places.size(), DoubleDouble(1));
     for (int k = 0; k <= degree; ++k) {
-        orthonormalise(next, basis);
+        if (!orthonormalise(next, basis))
+            return k - 1;
         removePart(values, next);
         basis.push_back(next);
         for (std::size_t i = 0; i < next.size(); ++i)
             next[i] = next[i] * places[i];
     }
+    return degree;
 }
 
 /// Sets to zero what only the roundings of the work left, so that points on a polynomial have no residuals.
@@ -123,17 +132,21 @@ Fit approximated(std::span<const Point> points, int degree) {
     residuals.reserve(points.size());
     for (const Point p : points)
         residuals.emplace_back(p.y);
-    removePolynomial(residuals, places, degree);
+    const int toldApart = removePolynomial(residuals, places, degree);
     clearNoise(residuals, points);
 
     Fit fit;
     std::vector<double> nodes;
     std::vector<DoubleDouble> values;
-    for (const std::size_t i : spreadPoints(places, degree + 1)) {
+    for (const std::size_t i : spreadPoints(places, toldApart + 1)) {
         nodes.push_back(points[i].x);
         values.push_back(points[i].y - residuals[i]);
     }
     fit.polynomial = interpolate(nodes, values);
+    for (int k = toldApart; k < degree; ++k) {
+        fit.polynomial.nodes.push_back(nodes.back());
+        fit.polynomial.coefficients.push_back(fit.polynomial.number(0));
+    }
     for (const DoubleDouble& residual : residuals)
         fit.maxError = std::max(fit.maxError, std::abs(residual.high));
     fit.rms = rootMeanSquare(residuals, fit.maxError);

@@ -18,8 +18,9 @@ struct Fit {
 /// The polynomial of at most the degree with the least sum of squared residuals; through all points where there are
 /// no more than degree + 1. Their x must differ. O(points degree^2): 100,000 points and degree 9 take some 0.2 s.
 /// The basis is made orthogonal over the points themselves, as in Forsythe's method but against all members before
-/// it, in double-double arithmetic, so that even points in clusters leave it orthogonal. Residuals below 1e-27 of the
-/// largest value count as 0.
+/// it, in double-double arithmetic, so that even points in clusters leave it orthogonal. Where their x lie closer
+/// together than 1e-27 of their span, only the coefficients that they tell apart are fitted, and the others are 0.
+/// Residuals below 1e-27 of the largest value count as 0.
 /// Sources: Forsythe, Generation and use of orthogonal polynomials, J. SIAM 5 (1957); Brubeck, Nakatsukasa,
 /// Trefethen, Vandermonde with Arnoldi, SIAM Review 63 (2021).
 [[nodiscard]] Fit fitLeastSquares(std::span<const Point> points, int degree);

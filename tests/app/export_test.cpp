@@ -119,6 +119,40 @@ TEST_F(ExportCommand, writesTexThatLatexBuildsInEveryAlphabet) {
     }
 }
 
+TEST_F(ExportCommand, writesSvgThatComesBackFromInkscape) {
+    const QString inkscape = QStandardPaths::findExecutable(QStringLiteral("inkscape"));
+    if (inkscape.isEmpty())
+        GTEST_SKIP() << "Inkscape is not installed";
+    const QDir examples(QStringLiteral(KRIVA_SOURCE_DIR "/resources/examples"));
+    for (const char* name : {"start", "de-casteljau", "clamped-spline", "five-runs"}) {
+        const QString example = examples.filePath(QString::fromLatin1(name) + QStringLiteral(".kriva"));
+        const QStringList options{QStringLiteral("--inkscape-layers"), QStringLiteral("--language=en")};
+        EXPECT_EQ(run(QStringList{QStringLiteral("export"), example, QStringLiteral("-o"), QStringLiteral("own.svg")} +
+                      options)
+                      .code,
+                  0);
+        QProcess program;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("HOME"), path({}));
+        program.setProcessEnvironment(environment);
+        program.setWorkingDirectory(path({}));
+        program.start(inkscape, {QStringLiteral("--export-plain-svg"), QStringLiteral("--export-filename=plain.svg"),
+                                 QStringLiteral("own.svg")});
+        ASSERT_TRUE(program.waitForFinished(120'000));
+        ASSERT_FALSE(read("plain.svg").isEmpty()) << program.readAllStandardError().toStdString();
+        // The document inside gives the same figure, byte for byte; the lines drawn give the same curves.
+        EXPECT_EQ(run(QStringList{QStringLiteral("export"), QStringLiteral("plain.svg"), QStringLiteral("-o"),
+                                  QStringLiteral("again.svg")} +
+                      options)
+                      .code,
+                  0);
+        EXPECT_EQ(read("again.svg"), read("own.svg")) << name;
+        EXPECT_EQ(run("import own.svg -o own.kriva --sheet spline").code, 0);
+        EXPECT_EQ(run("import plain.svg -o plain.kriva --sheet spline").code, 0);
+        EXPECT_EQ(read("plain.kriva"), read("own.kriva")) << name;
+    }
+}
+
 TEST_F(ExportCommand, tellsWhatAFormatCannotDraw) {
     expectOneLine(run("export arch.kriva -o a.png --width 900mm --dpi 4800"), ExitCode::failure,
                   "kriva: arch.kriva: the picture would have more than 16384 pixels a side");

@@ -41,7 +41,7 @@ inline rc::Gen<Points> anyPoints() {
     return rc::gen::resize(8, rc::gen::container<Points>(point));
 }
 
-/// Some curves in the sheets of elevation and subdivision, with names, styles and views.
+/// Some curves in every sheet, with names, styles and views.
 inline rc::Gen<Document> anyDocument() {
     return rc::gen::exec([] {
         Document document;
@@ -66,6 +66,19 @@ inline rc::Gen<Document> anyDocument() {
                                                                         Marker::square, Marker::diamond);
             cut.style.hasLabels = *rc::gen::arbitrary<bool>();
             document.sheets[1].curves.emplace_back(cut);
+            SplineCurve chain;
+            for (const Point p : *anyPoints())
+                chain.knots.push_back({p, SplineKnot::Join::automatic, {}, {}});
+            chain.rule = *rc::gen::element(SplineCurve::Rule::mirror, SplineCurve::Rule::natural,
+                                           SplineCurve::Rule::clamped, SplineCurve::Rule::catmullRom);
+            chain.degree = *rc::gen::inRange(2, 6);
+            chain.closed = *rc::gen::arbitrary<bool>();
+            document.sheets[2].curves.emplace_back(chain);
+            CombinedCurve runs;
+            runs.points = *anyPoints();
+            runs.method = *rc::gen::element(CombinedCurve::Method::approximation, CombinedCurve::Method::interpolation,
+                                            CombinedCurve::Method::pairs);
+            document.sheets[3].curves.emplace_back(runs);
         }
         document.sheets[0].view.layers["labels"] = *rc::gen::arbitrary<bool>();
         document.sheets[1].view.parameters =

@@ -131,7 +131,8 @@ bool SvgPaths::element(const pugi::xml_node& element, Place place) {
             return refuse(element, "transform");
         place.map = place.map * *read;
     }
-    if (const pugi::xml_attribute label = element.attribute("inkscape:label"))
+    const bool isLayer = element.attribute("inkscape:groupmode").value() == std::string_view("layer");
+    if (const pugi::xml_attribute label = element.attribute("inkscape:label"); label && !isLayer)
         place.name = label.value();
     if (name == "use")
         return use(element, std::move(place));

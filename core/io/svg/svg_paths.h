@@ -10,7 +10,7 @@ namespace kriva {
 
 /// A path out of a file, in document coordinates.
 struct ImportedPath {
-    std::string name; ///< what a person called it; empty where nobody did
+    std::string name; ///< what a person called it or its group; empty where nobody did
     Path path;
     friend bool operator==(const ImportedPath&, const ImportedPath&) = default;
 };

@@ -100,6 +100,17 @@ TEST(FitLeastSquares, resolvesAClusterBesideFarPoints) {
     EXPECT_EQ(power[1], 1);
 }
 
+TEST(FitLeastSquares, fitsNoMoreThanThePlacesTellApart) {
+    // All but one at one place, as far as their span goes: a line through their mean and the last one.
+    const Points points{{-100, 7}, {1e-322, 1}, {2e-322, 2}, {3e-322, 3}, {4e-322, 4}};
+    const Fit fit = fitLeastSquares(points, 3);
+    EXPECT_EQ(fit.polynomial.degree(), 3);
+    EXPECT_EQ(valueAt(fit.polynomial, -100).toDouble(), 7);
+    EXPECT_NEAR(valueAt(fit.polynomial, 0).toDouble(), 2.5, 1e-15);
+    EXPECT_NEAR(valueAt(fit.polynomial, -50).toDouble(), 4.75, 1e-14);
+    EXPECT_NEAR(fit.maxError, 1.5, 1e-15);
+}
+
 TEST(FitLeastSquares, keepsSmallResiduals) {
     const double tiny = 1e-200;
     const Fit fit = fitLeastSquares(Points{{0, 0}, {1, tiny}, {2, 0}}, 1);

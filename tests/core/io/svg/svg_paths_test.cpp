@@ -118,9 +118,11 @@ TEST(SvgPaths, takesTheCurvesAloneOfAFigureOfKriva) {
 
 TEST(SvgPaths, takesTheNameThatAPersonGave) {
     const std::vector<ImportedPath> paths =
-        read("<g inkscape:label='Layer'><path id='path12' d='M0 0h1'/><path inkscape:label='Arc' d='M0 0h1'/></g>");
-    EXPECT_EQ(paths[0].name, "Layer");
-    EXPECT_EQ(paths[1].name, "Arc");
+        read("<g inkscape:groupmode='layer' inkscape:label='Layer'><path id='path12' d='M0 0h1'/>"
+             "<g inkscape:label='Leaf'><path d='M0 0h1'/><path inkscape:label='Arc' d='M0 0h1'/></g></g>");
+    EXPECT_EQ(paths[0].name, "");
+    EXPECT_EQ(paths[1].name, "Leaf");
+    EXPECT_EQ(paths[2].name, "Arc");
 }
 
 TEST(SvgPaths, knowsItsOwnNamespaceByThePrefixOfItsRoot) {
