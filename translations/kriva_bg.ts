@@ -680,6 +680,18 @@
         <translation>%1 не е отместване: две числа със запетая между тях</translation>
     </message>
     <message>
+        <source>--frames are stages such as 0,5,10 or 0..10, or values such as t=0.25,0.5</source>
+        <translation>--frames са етапи като 0,5,10 или 0..10 или стойности като t=0.25,0.5</translation>
+    </message>
+    <message>
+        <source>--animate needs --frames and an SVG file</source>
+        <translation>--animate изисква --frames и файл SVG</translation>
+    </message>
+    <message>
+        <source>--seconds is a number from %1 to %2</source>
+        <translation>--seconds е число от %1 до %2</translation>
+    </message>
+    <message>
         <source>kriva [FILE...]
     opens the editor
 kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
@@ -688,9 +700,11 @@ kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--
     --format svg|pdf|png|tex|csv     where the end of OUT does not say it
     --width 120mm --margin 6mm       of the page; mm, cm, in or pt
     --no-labels --theme light|dark
-    --no-document --decimals N --inkscape-layers    of SVG
+    --no-document --decimals N --inkscape-layers --outlines    of SVG; outlines in place of letters
     --dpi 300 --transparent          of PNG
     --fragment                       of TeX: to be put into another document
+    --frames 0,5,10 | 0..10 | t=0.25,0.5   stages of the animation side by side, or with {frame} in OUT
+                                     a file for each; --animate --seconds 0.5: one after the other in SVG
 kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]
     makes a document of the paths of SVG files, of path data or of tables of points
 kriva report FILE [--format json|text] [--sheet NAME]
@@ -711,9 +725,11 @@ kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--
     --format svg|pdf|png|tex|csv     когато краят на OUT не го казва
     --width 120mm --margin 6mm       на страницата; mm, cm, in или pt
     --no-labels --theme light|dark
-    --no-document --decimals N --inkscape-layers    за SVG
+    --no-document --decimals N --inkscape-layers --outlines    за SVG; контури вместо букви
     --dpi 300 --transparent          за PNG
     --fragment                       за TeX: за вмъкване в друг документ
+    --frames 0,5,10 | 0..10 | t=0.25,0.5   етапи на анимацията един до друг или с {frame} в OUT
+                                     файл за всеки; --animate --seconds 0.5: един след друг в SVG
 kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]
     прави документ от пътищата на файлове SVG, от данни на пътища или от таблици с точки
 kriva report FILE [--format json|text] [--sheet NAME]
@@ -949,6 +965,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>TeX draws at most %1 mm a side; give the figure a width</source>
         <translation>TeX чертае най-много %1 mm на страна; задайте ширина на фигурата</translation>
+    </message>
+    <message>
+        <source>the animation of the curve has no such frame</source>
+        <translation>анимацията на кривата няма такъв кадър</translation>
     </message>
 </context>
 <context>
@@ -2390,6 +2410,26 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>E&amp;xport…</source>
         <translation>И&amp;знасяне…</translation>
+    </message>
+    <message>
+        <source>Fra&amp;mes</source>
+        <translation>&amp;Кадри</translation>
+    </message>
+    <message>
+        <source>Seconds of &amp;a frame</source>
+        <translation>С&amp;екунди на кадър</translation>
+    </message>
+    <message>
+        <source>0; 5; 10 or 0..10 or t = 0.25; 0.5</source>
+        <translation>0; 5; 10 или 0..10 или t = 0,25; 0,5</translation>
+    </message>
+    <message>
+        <source>A&amp;nimated</source>
+        <translation>Ан&amp;имирана</translation>
+    </message>
+    <message>
+        <source>O&amp;utlines in place of letters</source>
+        <translation>Конт&amp;ури вместо букви</translation>
     </message>
 </context>
 <context>

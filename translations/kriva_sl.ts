@@ -680,6 +680,18 @@
         <translation>%1 ni odmik: dve števili z vejico med njima</translation>
     </message>
     <message>
+        <source>--frames are stages such as 0,5,10 or 0..10, or values such as t=0.25,0.5</source>
+        <translation>--frames so stopnje, na primer 0,5,10 ali 0..10, ali vrednosti, na primer t=0.25,0.5</translation>
+    </message>
+    <message>
+        <source>--animate needs --frames and an SVG file</source>
+        <translation>--animate potrebuje --frames in datoteko SVG</translation>
+    </message>
+    <message>
+        <source>--seconds is a number from %1 to %2</source>
+        <translation>--seconds je število od %1 do %2</translation>
+    </message>
+    <message>
         <source>kriva [FILE...]
     opens the editor
 kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
@@ -688,9 +700,11 @@ kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--
     --format svg|pdf|png|tex|csv     where the end of OUT does not say it
     --width 120mm --margin 6mm       of the page; mm, cm, in or pt
     --no-labels --theme light|dark
-    --no-document --decimals N --inkscape-layers    of SVG
+    --no-document --decimals N --inkscape-layers --outlines    of SVG; outlines in place of letters
     --dpi 300 --transparent          of PNG
     --fragment                       of TeX: to be put into another document
+    --frames 0,5,10 | 0..10 | t=0.25,0.5   stages of the animation side by side, or with {frame} in OUT
+                                     a file for each; --animate --seconds 0.5: one after the other in SVG
 kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]
     makes a document of the paths of SVG files, of path data or of tables of points
 kriva report FILE [--format json|text] [--sheet NAME]
@@ -711,9 +725,11 @@ kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--
     --format svg|pdf|png|tex|csv     kadar ga konec OUT ne pove
     --width 120mm --margin 6mm       strani; mm, cm, in ali pt
     --no-labels --theme light|dark
-    --no-document --decimals N --inkscape-layers    za SVG
+    --no-document --decimals N --inkscape-layers --outlines    za SVG; obrisi namesto črk
     --dpi 300 --transparent          za PNG
     --fragment                       za TeX: za vstavljanje v drug dokument
+    --frames 0,5,10 | 0..10 | t=0.25,0.5   stopnje animacije druga ob drugi ali s {frame} v OUT
+                                     datoteka za vsako; --animate --seconds 0.5: druga za drugo v SVG
 kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]
     iz poti datotek SVG, iz podatkov poti ali iz tabel točk naredi dokument
 kriva report FILE [--format json|text] [--sheet NAME]
@@ -951,6 +967,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>TeX draws at most %1 mm a side; give the figure a width</source>
         <translation>TeX riše največ %1 mm na stranico; določite širino slike</translation>
+    </message>
+    <message>
+        <source>the animation of the curve has no such frame</source>
+        <translation>animacija krivulje nima take sličice</translation>
     </message>
 </context>
 <context>
@@ -2392,6 +2412,26 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>E&amp;xport…</source>
         <translation>Iz&amp;vozi …</translation>
+    </message>
+    <message>
+        <source>Fra&amp;mes</source>
+        <translation>Sli&amp;čice</translation>
+    </message>
+    <message>
+        <source>Seconds of &amp;a frame</source>
+        <translation>Sekunde sliči&amp;ce</translation>
+    </message>
+    <message>
+        <source>0; 5; 10 or 0..10 or t = 0.25; 0.5</source>
+        <translation>0; 5; 10 ali 0..10 ali t = 0,25; 0,5</translation>
+    </message>
+    <message>
+        <source>A&amp;nimated</source>
+        <translation>A&amp;nimirana</translation>
+    </message>
+    <message>
+        <source>O&amp;utlines in place of letters</source>
+        <translation>Obrisi na&amp;mesto črk</translation>
     </message>
 </context>
 <context>

@@ -680,6 +680,18 @@
         <translation>%1 — не зсув: два числа з комою між ними</translation>
     </message>
     <message>
+        <source>--frames are stages such as 0,5,10 or 0..10, or values such as t=0.25,0.5</source>
+        <translation>--frames — це етапи, як-от 0,5,10 чи 0..10, або значення, як-от t=0.25,0.5</translation>
+    </message>
+    <message>
+        <source>--animate needs --frames and an SVG file</source>
+        <translation>--animate потребує --frames і файлу SVG</translation>
+    </message>
+    <message>
+        <source>--seconds is a number from %1 to %2</source>
+        <translation>--seconds — число від %1 до %2</translation>
+    </message>
+    <message>
         <source>kriva [FILE...]
     opens the editor
 kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]
@@ -688,9 +700,11 @@ kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--
     --format svg|pdf|png|tex|csv     where the end of OUT does not say it
     --width 120mm --margin 6mm       of the page; mm, cm, in or pt
     --no-labels --theme light|dark
-    --no-document --decimals N --inkscape-layers    of SVG
+    --no-document --decimals N --inkscape-layers --outlines    of SVG; outlines in place of letters
     --dpi 300 --transparent          of PNG
     --fragment                       of TeX: to be put into another document
+    --frames 0,5,10 | 0..10 | t=0.25,0.5   stages of the animation side by side, or with {frame} in OUT
+                                     a file for each; --animate --seconds 0.5: one after the other in SVG
 kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]
     makes a document of the paths of SVG files, of path data or of tables of points
 kriva report FILE [--format json|text] [--sheet NAME]
@@ -711,9 +725,11 @@ kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--
     --format svg|pdf|png|tex|csv     коли кінець OUT його не називає
     --width 120mm --margin 6mm       сторінки; mm, cm, in або pt
     --no-labels --theme light|dark
-    --no-document --decimals N --inkscape-layers    для SVG
+    --no-document --decimals N --inkscape-layers --outlines    для SVG; контури замість літер
     --dpi 300 --transparent          для PNG
     --fragment                       для TeX: для вставлення в інший документ
+    --frames 0,5,10 | 0..10 | t=0.25,0.5   етапи анімації поруч або з {frame} в OUT
+                                     файл для кожного; --animate --seconds 0.5: один за одним у SVG
 kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]
     робить документ із контурів файлів SVG, з даних контурів або з таблиць точок
 kriva report FILE [--format json|text] [--sheet NAME]
@@ -950,6 +966,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>TeX draws at most %1 mm a side; give the figure a width</source>
         <translation>TeX малює щонайбільше %1 мм за сторону; задайте ширину рисунка</translation>
+    </message>
+    <message>
+        <source>the animation of the curve has no such frame</source>
+        <translation>анімація кривої не має такого кадру</translation>
     </message>
 </context>
 <context>
@@ -2391,6 +2411,26 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>E&amp;xport…</source>
         <translation>&amp;Експортувати…</translation>
+    </message>
+    <message>
+        <source>Fra&amp;mes</source>
+        <translation>Кадр&amp;и</translation>
+    </message>
+    <message>
+        <source>Seconds of &amp;a frame</source>
+        <translation>&amp;Секунд на кадр</translation>
+    </message>
+    <message>
+        <source>0; 5; 10 or 0..10 or t = 0.25; 0.5</source>
+        <translation>0; 5; 10 або 0..10 або t = 0,25; 0,5</translation>
+    </message>
+    <message>
+        <source>A&amp;nimated</source>
+        <translation>Ані&amp;мований</translation>
+    </message>
+    <message>
+        <source>O&amp;utlines in place of letters</source>
+        <translation>Конт&amp;ури замість літер</translation>
     </message>
 </context>
 <context>

@@ -118,10 +118,10 @@ Request CommandLine::exported(const Words& words) {
         return UsageError{tr("export needs the file to write: -o OUT.svg")};
     if (words.plain.size() > 1 && !output.contains(u"{name}"))
         return UsageError{tr("%1: with several files it needs {name} for the name of each").arg(output)};
-    std::variant<ui::FigureFileOptions, QString> options = exportOptions(words.options);
+    std::variant<FigureFileOptions, QString> options = exportOptions(words.options);
     if (QString* fault = std::get_if<QString>(&options))
         return UsageError{std::move(*fault)};
-    return ExportRequest{words.plain, output, sheetOf(words), std::get<ui::FigureFileOptions>(std::move(options))};
+    return ExportRequest{words.plain, output, sheetOf(words), std::get<FigureFileOptions>(std::move(options))};
 }
 
 Request CommandLine::imported(const Words& words) {
@@ -184,28 +184,31 @@ Request CommandLine::understood(Words words) {
 }
 
 QString CommandLine::help() {
-    return tr("kriva [FILE...]\n"
-              "    opens the editor\n"
-              "kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]\n"
-              "    draws a sheet: the one named, else the one that was shown when the document was saved.\n"
-              "    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output\n"
-              "    --format svg|pdf|png|tex|csv     where the end of OUT does not say it\n"
-              "    --width 120mm --margin 6mm       of the page; mm, cm, in or pt\n"
-              "    --no-labels --theme light|dark\n"
-              "    --no-document --decimals N --inkscape-layers    of SVG\n"
-              "    --dpi 300 --transparent          of PNG\n"
-              "    --fragment                       of TeX: to be put into another document\n"
-              "kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]\n"
-              "    makes a document of the paths of SVG files, of path data or of tables of points\n"
-              "kriva report FILE [--format json|text] [--sheet NAME]\n"
-              "    prints the numbers of a document\n"
-              "\n"
-              "    --language CODE   en, bg, sl or uk; else the language of the system\n"
-              "    --sheet NAME      elevation, subdivision, spline or combined\n"
-              "    --help            this text\n"
-              "    --version         the version\n"
-              "\n"
-              "Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.\n");
+    return tr(
+        "kriva [FILE...]\n"
+        "    opens the editor\n"
+        "kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]\n"
+        "    draws a sheet: the one named, else the one that was shown when the document was saved.\n"
+        "    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output\n"
+        "    --format svg|pdf|png|tex|csv     where the end of OUT does not say it\n"
+        "    --width 120mm --margin 6mm       of the page; mm, cm, in or pt\n"
+        "    --no-labels --theme light|dark\n"
+        "    --no-document --decimals N --inkscape-layers --outlines    of SVG; outlines in place of letters\n"
+        "    --dpi 300 --transparent          of PNG\n"
+        "    --fragment                       of TeX: to be put into another document\n"
+        "    --frames 0,5,10 | 0..10 | t=0.25,0.5   stages of the animation side by side, or with {frame} in OUT\n"
+        "                                     a file for each; --animate --seconds 0.5: one after the other in SVG\n"
+        "kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]\n"
+        "    makes a document of the paths of SVG files, of path data or of tables of points\n"
+        "kriva report FILE [--format json|text] [--sheet NAME]\n"
+        "    prints the numbers of a document\n"
+        "\n"
+        "    --language CODE   en, bg, sl or uk; else the language of the system\n"
+        "    --sheet NAME      elevation, subdivision, spline or combined\n"
+        "    --help            this text\n"
+        "    --version         the version\n"
+        "\n"
+        "Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.\n");
 }
 
 } // namespace

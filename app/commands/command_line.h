@@ -20,7 +20,7 @@ struct ExportRequest {
     QStringList files;
     QString output; ///< `{name}` and `{sheet}` stand for those of each file
     std::optional<SheetIndex> sheet;
-    ui::FigureFileOptions options;
+    FigureFileOptions options;
 };
 struct ImportRequest {
     QStringList files;

@@ -64,6 +64,13 @@ QString outputFor(QString pattern, const QString& file, SheetIndex sheet) {
         .replace(QStringLiteral("{sheet}"), QString::fromUtf8(sheetName(sheet)));
 }
 
+const QString kFrame = QStringLiteral("{frame}");
+
+/// Three digits, so that the files stand in their order.
+QString numbered(QString output, std::size_t frame) {
+    return output.replace(kFrame, QStringLiteral("%1").arg(frame, 3, 10, QLatin1Char('0')));
+}
+
 ExitCode refused(const QString& sentence, ExitCode code) {
     printError(sentence);
     return code;
@@ -83,10 +90,19 @@ ExitCode exportOne(const QString& file, const ExportRequest& request) {
         return refused(Export::noSuchCurve(file, *drawing.curve, curves), ExitCode::usage);
     if (const QString fault = layerFault(drawing, *sheet); !fault.isEmpty())
         return refused(fault, ExitCode::usage);
-    const ui::FigureFile made = ui::figureFile(document, *sheet, request.options);
-    if (const ui::FigureFault* fault = std::get_if<ui::FigureFault>(&made))
-        return refused(QStringLiteral("%1: %2").arg(file, faultText(*fault)), ExitCode::failure);
-    return writeOutput(outputFor(request.output, file, *sheet), std::get<QByteArray>(made));
+    const QString output = outputFor(request.output, file, *sheet);
+    const bool isNumbered = output.contains(kFrame) && !request.options.frames.empty();
+    const std::vector<ui::FigureFile> made = isNumbered
+                                                 ? ui::frameFiles(document, *sheet, request.options)
+                                                 : std::vector{ui::figureFile(document, *sheet, request.options)};
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        if (const ui::FigureFault* fault = std::get_if<ui::FigureFault>(&made[i]))
+            return refused(QStringLiteral("%1: %2").arg(file, faultText(*fault)), ExitCode::failure);
+        const ExitCode code = writeOutput(numbered(output, i), std::get<QByteArray>(made[i]));
+        if (code != ExitCode::done)
+            return code;
+    }
+    return ExitCode::done;
 }
 
 } // namespace

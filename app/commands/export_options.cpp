@@ -1,5 +1,7 @@
 #include "app/commands/export_options.h"
 
+#include "ui/figures/frame_text.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -12,10 +14,6 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-constexpr double kMostMillimetres = 10'000;
-constexpr int kLeastDpi = 10;
-constexpr int kMostDpi = 4'800;
-constexpr int kMostDecimals = 12;
 constexpr int kMostCurve = 999'999;
 
 struct LengthUnit {
@@ -37,7 +35,7 @@ std::optional<double> lengthOf(QString text) {
     }
     bool isNumber = false;
     const double length = unit * QLocale::c().toDouble(text.trimmed(), &isNumber);
-    return isNumber && length >= 0 && length <= kMostMillimetres ? std::optional(length) : std::nullopt;
+    return isNumber && length >= 0 && length <= kMostPageSide ? std::optional(length) : std::nullopt;
 }
 
 /// Takes the options one by one; the first that is wrong is told.
@@ -47,17 +45,19 @@ class ExportOptionReader {
     explicit ExportOptionReader(const QMap<QString, QString>& options)
         : options_(options) {}
 
-    [[nodiscard]] std::variant<ui::FigureFileOptions, QString> read() {
-        ui::FigureFileOptions result;
+    [[nodiscard]] std::variant<FigureFileOptions, QString> read() {
+        FigureFileOptions result;
         readFormat(result);
         readPage(result.drawing);
         readContent(result.drawing);
         result.holdsDocument = !has(u"no-document"_s);
         result.hasInkscapeLayers = has(u"inkscape-layers"_s);
+        result.hasOutlines = has(u"outlines"_s);
         result.isTransparent = has(u"transparent"_s);
         result.tikz = has(u"fragment"_s) ? TikzKind::fragment : TikzKind::standalone;
         result.decimals = number(u"decimals"_s, 0, kMostDecimals);
-        result.dpi = number(u"dpi"_s, kLeastDpi, kMostDpi).value_or(ui::kUsualDpi);
+        readFrames(result);
+        result.dpi = number(u"dpi"_s, kLeastDpi, kMostDpi).value_or(kUsualDpi);
         if (!fault_.isEmpty())
             return fault_;
         return result;
@@ -69,10 +69,10 @@ class ExportOptionReader {
         if (fault_.isEmpty())
             fault_ = sentence;
     }
-    void readFormat(ui::FigureFileOptions& result) {
+    void readFormat(FigureFileOptions& result) {
         const QString output = options_.value(u"output"_s);
         const QString named = options_.value(u"format"_s);
-        const std::optional<ui::FigureFormat> format =
+        const std::optional<FigureFormat> format =
             ui::figureFormatOf(has(u"format"_s) ? QString(u'.' + named) : output);
         if (format)
             result.format = *format;
@@ -102,12 +102,26 @@ class ExportOptionReader {
             refuse(tr("there is no theme %1").arg(theme));
         drawing.theme = theme == u"dark" ? Theme::dark : Theme::light;
     }
+    void readFrames(FigureFileOptions& result) {
+        const auto frames = ui::readFramePlaces(options_.value(u"frames"_s));
+        if (!frames || (has(u"frames"_s) && frames->empty()))
+            return refuse(tr("--frames are stages such as 0,5,10 or 0..10, or values such as t=0.25,0.5"));
+        result.frames = *frames;
+        result.isAnimated = has(u"animate"_s);
+        if (result.isAnimated && (result.frames.empty() || result.format != FigureFormat::svg))
+            refuse(tr("--animate needs --frames and an SVG file"));
+        bool isNumber = true;
+        if (has(u"seconds"_s))
+            result.frameSeconds = QLocale::c().toDouble(options_.value(u"seconds"_s), &isNumber);
+        if (!isNumber || !(result.frameSeconds >= kLeastFrameSeconds && result.frameSeconds <= kMostFrameSeconds))
+            refuse(tr("--seconds is a number from %1 to %2").arg(kLeastFrameSeconds).arg(kMostFrameSeconds));
+    }
     std::optional<double> length(const QString& name) {
         if (!has(name))
             return {};
         const std::optional<double> found = lengthOf(options_.value(name));
         if (!found)
-            refuse(tr("--%1 is a length such as 120mm, at most %2 mm").arg(name).arg(kMostMillimetres));
+            refuse(tr("--%1 is a length such as 120mm, at most %2 mm").arg(name).arg(kMostPageSide));
         return found;
     }
     std::optional<int> number(const QString& name, int low, int high) {
@@ -129,11 +143,13 @@ class ExportOptionReader {
 } // namespace
 
 ExportOptionNames exportOptionNames() {
-    return {{u"curve"_s, u"layers"_s, u"width"_s, u"margin"_s, u"dpi"_s, u"decimals"_s, u"theme"_s},
-            {u"no-labels"_s, u"no-document"_s, u"inkscape-layers"_s, u"transparent"_s, u"fragment"_s}};
+    return {{u"curve"_s, u"layers"_s, u"width"_s, u"margin"_s, u"dpi"_s, u"decimals"_s, u"theme"_s, u"frames"_s,
+             u"seconds"_s},
+            {u"no-labels"_s, u"no-document"_s, u"inkscape-layers"_s, u"outlines"_s, u"transparent"_s, u"fragment"_s,
+             u"animate"_s}};
 }
 
-std::variant<ui::FigureFileOptions, QString> exportOptions(const QMap<QString, QString>& options) {
+std::variant<FigureFileOptions, QString> exportOptions(const QMap<QString, QString>& options) {
     return ExportOptionReader(options).read();
 }
 

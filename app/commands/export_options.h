@@ -18,6 +18,6 @@ struct ExportOptionNames {
 
 /// How the figure is to be written, or a sentence about what is wrong with an option. `output` and `format` among the
 /// options decide the format.
-[[nodiscard]] std::variant<ui::FigureFileOptions, QString> exportOptions(const QMap<QString, QString>& options);
+[[nodiscard]] std::variant<FigureFileOptions, QString> exportOptions(const QMap<QString, QString>& options);
 
 } // namespace kriva::app

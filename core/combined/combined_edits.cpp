@@ -1,5 +1,6 @@
 #include "core/combined/combined_edits.h"
 
+#include "core/combined/combined_figure.h"
 #include "core/combined/path_place.h"
 #include "core/document/limits.h"
 
@@ -179,6 +180,14 @@ std::optional<CombinedCurve> withCurvePulled(const CombinedCurve& curve, Point f
         place->nearest.t > 1 - kLeastT)
         return {};
     return withPairThrough(curve, place->piece->index, place->nearest.t, place->nearest.at + by);
+}
+
+std::optional<Frame<CombinedCurve>> atFrame(const CombinedCurve& curve, const FramePlace& place) {
+    const bool isStage = place.over == FramePlace::Over::stage && place.at >= 0 && place.at < kCombinedStages;
+    if (!isStage)
+        return {};
+    const int stage = static_cast<int>(place.at);
+    return Frame<CombinedCurve>{curve, stage + 1 < kCombinedStages ? std::optional(stage) : std::nullopt};
 }
 
 } // namespace kriva

@@ -3,6 +3,7 @@
 #include "core/combined/combined_curve.h"
 #include "core/document/editing/edited.h"
 #include "core/document/editing/grip.h"
+#include "core/document/frame_place.h"
 #include "core/figure/figure.h"
 
 #include <optional>
@@ -76,5 +77,7 @@ namespace kriva {
 /// Under Method::pairs, the pair nearest to `from` pulled there by its middle point, which becomes a correction;
 /// nothing where another piece is nearer, or under another method.
 [[nodiscard]] std::optional<CombinedCurve> withCurvePulled(const CombinedCurve& curve, Point from, Vector by);
+/// After a step of the algorithm, which only hides layers; nothing elsewhere.
+[[nodiscard]] std::optional<Frame<CombinedCurve>> atFrame(const CombinedCurve& curve, const FramePlace& place);
 
 } // namespace kriva

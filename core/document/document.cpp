@@ -194,6 +194,24 @@ Relations relationsOf(const Sheet& sheet, SheetIndex index) {
         kinds()[index]);
 }
 
+std::optional<Sheet> atFrame(Sheet sheet, const FramePlace& place) {
+    if (sheet.curves.empty())
+        return {};
+    Curve& active = sheet.curves[static_cast<std::size_t>(sheet.view.activeCurve)];
+    const auto frame = std::visit(
+        [&](const auto& curve) -> std::optional<Frame<Curve>> {
+            auto found = atFrame(curve, place);
+            return found ? std::optional(Frame<Curve>{Curve(std::move(found->curve)), found->layerStage})
+                         : std::nullopt;
+        },
+        active);
+    if (!frame)
+        return {};
+    active = frame->curve;
+    sheet.stage = frame->layerStage;
+    return sheet;
+}
+
 FigureContext contextOf(const Sheet& sheet, int curve) {
     const bool isActive = curve == sheet.view.activeCurve;
     return {curve, isActive, &sheet.view, isActive ? sheet.stage : std::nullopt};

@@ -87,6 +87,9 @@ template <class C>
 [[nodiscard]] Figure figureOf(const Curve& curve, const FigureContext& context);
 [[nodiscard]] std::vector<Result> results(const Curve& curve);
 
+/// The sheet with its active curve at that place of its animation; nothing where it has no such place.
+[[nodiscard]] std::optional<Sheet> atFrame(Sheet sheet, const FramePlace& place);
+
 /// What the curves of a sheet have with each other; nothing in sheets where nobody asks. May take seconds.
 [[nodiscard]] Relations relationsOf(const Sheet& sheet, SheetIndex index);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/document/figure_options.h"
+
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -54,11 +56,12 @@ inline constexpr int kMostPolylinePoints = 100;
 /// Saved, but never undone and never a modification.
 struct SheetView {
     int activeCurve = 0;
-    std::map<std::string, bool> layers; ///< by layer name, where it differs from the layer's default
-    std::optional<double> mmPerUnit;    ///< scale of the page; by default its longer side is 120 mm
-    double combScale = 1;               ///< of the curvature comb, times its automatic scale
-    int polylinePoints = 8;             ///< of each segment of a spline, both ends counted
-    std::vector<double> parameters;     ///< further t whose de Casteljau schemes are shown, each between 0 and 1
+    std::map<std::string, bool> layers;        ///< by layer name, where it differs from the layer's default
+    std::optional<double> mmPerUnit;           ///< scale of the page; by default its longer side is 120 mm
+    double combScale = 1;                      ///< of the curvature comb, times its automatic scale
+    int polylinePoints = 8;                    ///< of each segment of a spline, both ends counted
+    std::vector<double> parameters;            ///< further t whose de Casteljau schemes are shown, each between 0 and 1
+    std::optional<FigureFileOptions> exported; ///< as its figure was written last
     friend bool operator==(const SheetView&, const SheetView&) = default;
 };
 

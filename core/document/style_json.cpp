@@ -1,5 +1,6 @@
 #include "core/document/style_json.h"
 
+#include "core/document/figure_options_json.h"
 #include "core/figure/color.h"
 
 namespace kriva {
@@ -42,7 +43,8 @@ void readView(const JsonNode& node, CurveView& view) {
 }
 
 void readView(const JsonNode& node, SheetView& view, std::span<const std::string_view> layers) {
-    const JsonObject object(node, {"activeCurve", "layers", "mmPerUnit", "combScale", "polylinePoints", "parameters"});
+    const JsonObject object(
+        node, {"activeCurve", "layers", "mmPerUnit", "combScale", "polylinePoints", "parameters", "export"});
     if (const JsonNode* active = object.find("activeCurve"))
         view.activeCurve = active->wholeNumber(0, static_cast<int>(limits::kCurvesInSheet) - 1);
     if (const JsonNode* shown = object.find("layers")) {
@@ -61,6 +63,8 @@ void readView(const JsonNode& node, SheetView& view, std::span<const std::string
         view.parameters.reserve(parameters->listSize(kMostParameters));
         parameters->forEachElement([&](const JsonNode& t) { view.parameters.push_back(t.numberBetween(0, 1)); });
     }
+    if (const JsonNode* exported = object.find("export"))
+        view.exported = readFigureOptions(*exported, layers);
 }
 
 void writeStyle(JsonWriter& json, const CurveStyle& style) {
@@ -100,6 +104,10 @@ void writeView(JsonWriter& json, const SheetView& view) {
         json.member("polylinePoints", view.polylinePoints);
     if (!view.parameters.empty())
         json.member("parameters", view.parameters);
+    if (view.exported) {
+        json.key("export");
+        writeFigureOptions(json, *view.exported);
+    }
     json.endObject();
 }
 

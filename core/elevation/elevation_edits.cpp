@@ -93,4 +93,13 @@ std::optional<ElevationCurve> withCurvePulled(const ElevationCurve& curve, Point
     return moved;
 }
 
+std::optional<Frame<ElevationCurve>> atFrame(const ElevationCurve& curve, const FramePlace& place) {
+    const bool isTimes = place.over == FramePlace::Over::stage && place.at >= 0 && place.at <= limits::kElevations;
+    if (!isTimes)
+        return {};
+    ElevationCurve raised = curve;
+    raised.times = static_cast<int>(place.at);
+    return Frame<ElevationCurve>{std::move(raised)};
+}
+
 } // namespace kriva

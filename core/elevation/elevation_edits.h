@@ -2,6 +2,7 @@
 
 #include "core/document/editing/edited.h"
 #include "core/document/editing/grip.h"
+#include "core/document/frame_place.h"
 #include "core/elevation/elevation.h"
 #include "core/figure/figure.h"
 
@@ -72,5 +73,7 @@ namespace kriva {
 [[nodiscard]] std::optional<Refitted<ElevationCurve>> withDegreeReduced(const ElevationCurve& curve);
 /// The curve pulled where it is nearest to `from`; nothing where it gives way to no pull. See pull.h.
 [[nodiscard]] std::optional<ElevationCurve> withCurvePulled(const ElevationCurve& curve, Point from, Vector by);
+/// Raised so many times; nothing elsewhere.
+[[nodiscard]] std::optional<Frame<ElevationCurve>> atFrame(const ElevationCurve& curve, const FramePlace& place);
 
 } // namespace kriva

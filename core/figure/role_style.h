@@ -1,14 +1,13 @@
 #pragma once
 
 #include "core/figure/figure.h"
+#include "core/figure/theme.h"
 
 #include <vector>
 
 /// How each role looks: the one place that canvas, plots and exports take it from. Lengths are in points (1/72 inch)
 /// and never scaled with the figure.
 namespace kriva {
-
-enum class Theme { light, dark };
 
 /// Roles differ by colour, and without colour by line (width, dashes) or marker (shape, size, whether it is hollow).
 struct RoleStyle {

@@ -44,23 +44,96 @@ Sheet chosen(Sheet sheet, SheetIndex index, const DrawingOptions& options) {
     return sheet;
 }
 
-} // namespace
-
-Drawing drawingOf(const Document& document, SheetIndex sheet, const TextSource& texts, const DrawingOptions& options) {
-    const Sheet onView = chosen(document.sheets[sheet], sheet, options);
-    Drawing drawing;
-    drawing.figure = figureOf(onView, sheet);
+Figure figureUnder(const Sheet& sheet, SheetIndex index, const DrawingOptions& options) {
+    Figure figure = figureOf(sheet, index);
     if (!options.hasLabels)
-        for (Layer& layer : drawing.figure.layers)
+        for (Layer& layer : figure.layers)
             layer.labels.clear();
-    const Box box = boxOf(drawing.figure);
+    return figure;
+}
+
+/// The figure of a sheet on the page of a box.
+Drawing drawn(Figure figure, const Box& box, const Document& document, SheetIndex sheet, const TextSource& texts,
+              const DrawingOptions& options) {
+    Drawing drawing;
     drawing.page = options.width ? pageOfWidth(box, *options.width, options.margin)
-                                 : pageOf(box, onView.view.mmPerUnit, options.margin);
-    drawing.layerTitles = titlesOf(drawing.figure, sheet, texts);
+                                 : pageOf(box, document.sheets[sheet].view.mmPerUnit, options.margin);
+    drawing.layerTitles = titlesOf(figure, sheet, texts);
+    drawing.figure = std::move(figure);
     drawing.title = document.title.empty() ? texts.translate(captionOf(sheet)) : document.title;
     drawing.description = describe(sheet, drawing.layerTitles, texts);
     drawing.theme = options.theme;
     return drawing;
+}
+
+/// Those of the frames, and the box of all.
+struct FrameFigures {
+    std::vector<Figure> figures;
+    Box box;
+};
+std::optional<FrameFigures> frameFigures(const Document& document, SheetIndex sheet, std::span<const FramePlace> places,
+                                         const DrawingOptions& options) {
+    const Sheet onView = chosen(document.sheets[sheet], sheet, options);
+    FrameFigures frames;
+    for (const FramePlace& place : places) {
+        const std::optional<Sheet> frame = atFrame(onView, place);
+        if (!frame)
+            return {};
+        frames.figures.push_back(figureUnder(*frame, sheet, options));
+        frames.box = united(frames.box, boxOf(frames.figures.back()));
+    }
+    return frames;
+}
+
+void move(Figure& figure, Vector by) {
+    const auto moveAll = [by](Points& points) {
+        for (Point& p : points)
+            p = p + by;
+    };
+    for (Layer& layer : figure.layers) {
+        for (Stroke& stroke : layer.strokes)
+            moveAll(stroke.path.points);
+        for (Marks& marks : layer.marks)
+            moveAll(marks.at);
+        for (Label& label : layer.labels)
+            label.at = label.at + by;
+    }
+}
+
+} // namespace
+
+Drawing drawingOf(const Document& document, SheetIndex sheet, const TextSource& texts, const DrawingOptions& options) {
+    Figure figure = figureUnder(chosen(document.sheets[sheet], sheet, options), sheet, options);
+    const Box box = boxOf(figure);
+    return drawn(std::move(figure), box, document, sheet, texts, options);
+}
+
+std::optional<std::vector<Drawing>> framesOf(const Document& document, SheetIndex sheet,
+                                             std::span<const FramePlace> places, const TextSource& texts,
+                                             const DrawingOptions& options) {
+    std::optional<FrameFigures> frames = frameFigures(document, sheet, places, options);
+    if (!frames)
+        return {};
+    std::vector<Drawing> drawings;
+    for (Figure& figure : frames->figures)
+        drawings.push_back(drawn(std::move(figure), frames->box, document, sheet, texts, options));
+    return drawings;
+}
+
+std::optional<Drawing> frameStripOf(const Document& document, SheetIndex sheet, std::span<const FramePlace> places,
+                                    const TextSource& texts, const DrawingOptions& options) {
+    constexpr double kGap = 0.18; // of a frame's longer side: more than its labels need
+    std::optional<FrameFigures> frames = frameFigures(document, sheet, places, options);
+    if (!frames)
+        return {};
+    const double step = frames->box.width() + kGap * std::max(frames->box.width(), frames->box.height());
+    Box all;
+    for (std::size_t i = 0; i < frames->figures.size(); ++i) {
+        const Vector by{static_cast<double>(i) * step, 0};
+        move(frames->figures[i], by);
+        all = united(all, {frames->box.xmin + by.x, frames->box.ymin, frames->box.xmax + by.x, frames->box.ymax});
+    }
+    return drawn(united(std::move(frames->figures), layersOf(sheet)), all, document, sheet, texts, options);
 }
 
 Drawing drawingOf(std::span<const Plot> plots, const TextSource& texts, Theme theme) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/document/document.h"
+#include "core/document/figure_options.h"
 #include "core/figure/page.h"
 #include "core/figure/plot/plot.h"
 #include "core/figure/role_style.h"
@@ -19,20 +20,19 @@ struct Drawing {
     bool hasPaper = true; ///< a background of the paper's colour
 };
 
-/// How a sheet is to be drawn, where not as its view has it.
-struct DrawingOptions {
-    /// Of the page, in millimetres, more than both margins; nothing where the view's scale decides.
-    std::optional<double> width = {};
-    double margin = kPageMargin;                         ///< in millimetres
-    std::optional<std::vector<std::string>> layers = {}; ///< these alone, by name
-    std::optional<std::size_t> curve = {};               ///< this one alone, as the active curve
-    bool hasLabels = true;
-    Theme theme = Theme::light;
-};
-
 /// The figure of a sheet.
 [[nodiscard]] Drawing drawingOf(const Document& document, SheetIndex sheet, const TextSource& texts,
                                 const DrawingOptions& options = {});
+
+/// Frames of the animation of a sheet's active curve on pages of one size and scale: where the options give a width, of
+/// that one. Nothing where the curve has one of the places not.
+[[nodiscard]] std::optional<std::vector<Drawing>> framesOf(const Document& document, SheetIndex sheet,
+                                                           std::span<const FramePlace> places, const TextSource& texts,
+                                                           const DrawingOptions& options = {});
+/// The same side by side on one page, from left to right; a width is that of all together.
+[[nodiscard]] std::optional<Drawing> frameStripOf(const Document& document, SheetIndex sheet,
+                                                  std::span<const FramePlace> places, const TextSource& texts,
+                                                  const DrawingOptions& options = {});
 
 /// Plots, each as large as PlotSize is at first, one above the other.
 [[nodiscard]] Drawing drawingOf(std::span<const Plot> plots, const TextSource& texts, Theme theme = Theme::light);

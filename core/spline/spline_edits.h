@@ -2,6 +2,7 @@
 
 #include "core/document/editing/edited.h"
 #include "core/document/editing/grip.h"
+#include "core/document/frame_place.h"
 #include "core/figure/figure.h"
 #include "core/spline/spline.h"
 
@@ -56,5 +57,9 @@ namespace kriva {
 /// The same curve run through from its other end; a closed one still starts at its first knot. Handles that the mirror
 /// rule placed are stored, for it reads differently backwards; those of the other rules are the same both ways.
 [[nodiscard]] Edited<SplineCurve> reversed(const SplineCurve& curve);
+/// Nothing: it has no animation.
+[[nodiscard]] inline std::optional<Frame<SplineCurve>> atFrame(const SplineCurve&, const FramePlace&) {
+    return {};
+}
 
 } // namespace kriva

@@ -170,4 +170,13 @@ std::optional<SubdivisionCurve> withCurvePulled(const SubdivisionCurve& curve, P
     return moved;
 }
 
+std::optional<Frame<SubdivisionCurve>> atFrame(const SubdivisionCurve& curve, const FramePlace& place) {
+    if (place.over == FramePlace::Over::t)
+        return place.at > 0 && place.at < 1 ? std::optional(Frame<SubdivisionCurve>{withT(curve, place.at)})
+                                            : std::nullopt;
+    if (!(place.at >= 0 && place.at <= mostLevels(controlPointCount(curve))))
+        return {};
+    return Frame<SubdivisionCurve>{withLevels(curve, static_cast<int>(place.at))};
+}
+
 } // namespace kriva

@@ -2,6 +2,7 @@
 
 #include "core/document/editing/edited.h"
 #include "core/document/editing/grip.h"
+#include "core/document/frame_place.h"
 #include "core/figure/figure.h"
 #include "core/subdivision/subdivision.h"
 
@@ -93,5 +94,7 @@ namespace kriva {
 /// The curve pulled where it is nearest to `from`, multiplicities written out; nothing where it gives way to no pull.
 /// See pull.h.
 [[nodiscard]] std::optional<SubdivisionCurve> withCurvePulled(const SubdivisionCurve& curve, Point from, Vector by);
+/// Cut so many times over, or at t; nothing where it cannot be.
+[[nodiscard]] std::optional<Frame<SubdivisionCurve>> atFrame(const SubdivisionCurve& curve, const FramePlace& place);
 
 } // namespace kriva

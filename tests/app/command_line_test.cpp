@@ -37,18 +37,18 @@ TEST(CommandLine, understandsExportInAnyOrder) {
 
 TEST(CommandLine, knowsTheFormatByTheFileOrByItsName) {
     const auto formatOf = [](const char* line) { return std::get<ExportRequest>(parsed(line)).options.format; };
-    EXPECT_EQ(formatOf("export a -o b.PDF"), ui::FigureFormat::pdf);
-    EXPECT_EQ(formatOf("export a -o b.png"), ui::FigureFormat::png);
-    EXPECT_EQ(formatOf("export a -o b.tex"), ui::FigureFormat::tikz);
-    EXPECT_EQ(formatOf("export a -o b.csv"), ui::FigureFormat::csv);
-    EXPECT_EQ(formatOf("export - -o - --format tex"), ui::FigureFormat::tikz);
+    EXPECT_EQ(formatOf("export a -o b.PDF"), FigureFormat::pdf);
+    EXPECT_EQ(formatOf("export a -o b.png"), FigureFormat::png);
+    EXPECT_EQ(formatOf("export a -o b.tex"), FigureFormat::tikz);
+    EXPECT_EQ(formatOf("export a -o b.csv"), FigureFormat::csv);
+    EXPECT_EQ(formatOf("export - -o - --format tex"), FigureFormat::tikz);
 }
 
 TEST(CommandLine, understandsHowAFigureIsToLook) {
     const ExportRequest request = std::get<ExportRequest>(
         parsed("export a b -o {name}.svg --width 12cm --margin=0.5in --layers curve,labels --curve 2 --no-labels "
                "--theme dark --decimals 3 --dpi 150 --transparent --fragment --inkscape-layers --no-document"));
-    const ui::FigureFileOptions& options = request.options;
+    const FigureFileOptions& options = request.options;
     EXPECT_EQ(request.files.size(), 2);
     EXPECT_EQ(options.drawing.width, 120);
     EXPECT_DOUBLE_EQ(options.drawing.margin, 12.7);
@@ -60,7 +60,7 @@ TEST(CommandLine, understandsHowAFigureIsToLook) {
     EXPECT_EQ(options.dpi, 150);
     EXPECT_TRUE(options.isTransparent && options.hasInkscapeLayers && !options.holdsDocument);
     EXPECT_EQ(options.tikz, TikzKind::fragment);
-    const ui::FigureFileOptions usual = std::get<ExportRequest>(parsed("export a -o b.svg")).options;
+    const FigureFileOptions usual = std::get<ExportRequest>(parsed("export a -o b.svg")).options;
     EXPECT_EQ(usual.drawing.width, std::nullopt);
     EXPECT_EQ(usual.drawing.margin, kPageMargin);
     EXPECT_TRUE(usual.holdsDocument && usual.drawing.hasLabels);

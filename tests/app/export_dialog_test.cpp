@@ -61,6 +61,29 @@ TEST_F(ExportDialogTest, hasTheLayersOfTheSheet) {
     EXPECT_EQ(dialog_.options().drawing.layers, (std::vector<std::string>{"curve"}));
 }
 
+TEST_F(ExportDialogTest, offersNoFramesOfASpline) {
+    EXPECT_FALSE(offers("Frames"));
+}
+
+TEST(ExportDialogOfAnimation, showsTheFramesSideBySide) {
+    Document document;
+    document.sheets[0].curves = {withPointsAdded(emptyCurve(0), Points{{0, 0}, {1, 2}, {3, 2}, {4, 0}})};
+    ExportDialog dialog(document, 0, {});
+    dialog.show();
+    const auto& preview = *dialog.findChild<FigurePreview*>();
+    const auto width = [&] { return boxOf(preview.drawing().figure).width(); };
+    EXPECT_EQ(width(), 4);
+    test::type(test::named<QLineEdit>(dialog, "Frames"), "0; 2");
+    EXPECT_GT(width(), 8);
+    EXPECT_EQ(dialog.options().frames,
+              (std::vector<FramePlace>{{FramePlace::Over::stage, 0}, {FramePlace::Over::stage, 2}}));
+    EXPECT_FALSE(dialog.options().isAnimated);
+    test::click(test::saying<QCheckBox>(dialog, "A&nimated"));
+    EXPECT_TRUE(dialog.options().isAnimated);
+    test::type(test::named<NumberField>(dialog, "Seconds of a frame"), "0.2");
+    EXPECT_EQ(dialog.options().frameSeconds, 0.2);
+}
+
 TEST_F(ExportDialogTest, offersWhatTheFormatHas) {
     EXPECT_TRUE(offers("Decimals"));
     EXPECT_FALSE(offers("Dots per inch"));

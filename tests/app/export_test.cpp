@@ -1,3 +1,4 @@
+#include "core/io/open.h"
 #include "tests/support/program.h"
 
 #include <QDir>
@@ -75,6 +76,49 @@ TEST_F(ExportCommand, drawsTheLayersAndTheCurveAskedFor) {
     expectOneLine(run("export two.kriva -o a.svg --layers curves"), ExitCode::usage,
                   "kriva: there is no layer curves; the sheet has convex-hull, all-polygons, control-polygon, "
                   "elevated-polygon, end-tangents, curve, points, labels");
+}
+
+TEST_F(ExportCommand, drawsLettersAsOutlinesOnDemand) {
+    const QByteArray svg = exported(QStringLiteral("--outlines"), "outlines.svg");
+    EXPECT_FALSE(svg.contains("<text"));
+    EXPECT_EQ(svg.count("<path aria-label=\"b"), 4);
+    // Both look the same.
+    const auto drawn = [this](const char* file) {
+        QProcess renderer;
+        renderer.start(QStringLiteral("rsvg-convert"),
+                       {QStringLiteral("-w"), QStringLiteral("600"), path(QLatin1String(file))});
+        EXPECT_TRUE(renderer.waitForFinished());
+        return QImage::fromData(renderer.readAllStandardOutput()).convertToFormat(QImage::Format_Grayscale8);
+    };
+    EXPECT_TRUE(exported({}, "letters.svg").contains("<text"));
+    const QImage outlines = drawn("outlines.svg");
+    const QImage letters = drawn("letters.svg");
+    ASSERT_EQ(outlines.size(), letters.size());
+    int different = 0;
+    for (int y = 0; y < letters.height(); ++y)
+        for (int x = 0; x < letters.width(); ++x)
+            different += std::abs(qGray(outlines.pixel(x, y)) - qGray(letters.pixel(x, y))) > 128 ? 1 : 0;
+    EXPECT_LT(different, 200) << "of some thousand pixels of letters";
+}
+
+TEST_F(ExportCommand, drawsFramesOfTheAnimation) {
+    const QByteArray strip = exported(QStringLiteral("--frames 0,1,5 --width 150mm"), "strip.svg");
+    EXPECT_TRUE(strip.contains("width=\"150mm\""));
+    EXPECT_EQ(strip.count("id=\"curve-0\""), 1);
+    const QByteArray animated = exported(QStringLiteral("--frames 0..4 --animate --seconds 0.25"), "anim.svg");
+    EXPECT_EQ(animated.count("<animate attributeName=\"visibility\""), 4) << "without elevation there is no polygon";
+    EXPECT_TRUE(animated.contains("dur=\"1.25s\""));
+    EXPECT_EQ(animated.count("id=\"layer-curve\""), 1) << "what stands still is there once";
+    EXPECT_TRUE(std::holds_alternative<Document>(readAnyDocument(animated.toStdString())));
+    EXPECT_EQ(run("export arch.kriva -o f-{frame}.svg --frames 0,5").code, 0);
+    EXPECT_FALSE(read("f-000.svg").contains("elevated-polygon"));
+    EXPECT_TRUE(read("f-001.svg").contains("elevated-polygon"));
+    expectOneLine(run("export arch.kriva -o a.svg --frames 20000"), ExitCode::failure,
+                  "kriva: arch.kriva: the animation of the curve has no such frame");
+    expectOneLine(run("export arch.kriva -o a.svg --frames t=0.5"), ExitCode::failure,
+                  "kriva: arch.kriva: the animation of the curve has no such frame");
+    expectOneLine(run("export arch.kriva -o a.png --frames 0,1 --animate"), ExitCode::usage,
+                  "kriva: --animate needs --frames and an SVG file; kriva --help tells more");
 }
 
 TEST_F(ExportCommand, writesManyFilesEachUnderItsName) {

@@ -83,6 +83,29 @@ inline rc::Gen<Document> anyDocument() {
         document.sheets[0].view.layers["labels"] = *rc::gen::arbitrary<bool>();
         document.sheets[1].view.parameters =
             *rc::gen::elementOf(std::vector<std::vector<double>>{{}, {0.5}, {1.0 / 3, 5e-324}});
+        FigureFileOptions written;
+        written.format = *rc::gen::element(FigureFormat::svg, FigureFormat::pdf, FigureFormat::png, FigureFormat::tikz,
+                                           FigureFormat::csv);
+        written.drawing = {.width = *rc::gen::element<std::optional<double>>(std::nullopt, 120.5),
+                           .margin = *rc::gen::element(6.0, 0.0, 1.0 / 3),
+                           .hasLabels = *rc::gen::arbitrary<bool>(),
+                           .theme = *rc::gen::element(Theme::light, Theme::dark)};
+        written.drawing.layers = *rc::gen::element<std::optional<std::vector<std::string>>>(
+            std::nullopt, std::vector<std::string>{}, std::vector<std::string>{"curve", "labels"});
+        written.holdsDocument = *rc::gen::arbitrary<bool>();
+        written.decimals = *rc::gen::element<std::optional<int>>(std::nullopt, 0, 12);
+        written.hasInkscapeLayers = *rc::gen::arbitrary<bool>();
+        written.hasOutlines = *rc::gen::arbitrary<bool>();
+        written.dpi = *rc::gen::element(10, 300, 4800);
+        written.isTransparent = *rc::gen::arbitrary<bool>();
+        written.tikz = *rc::gen::element(TikzKind::standalone, TikzKind::fragment);
+        written.frames =
+            *rc::gen::element(std::vector<FramePlace>{}, std::vector<FramePlace>{{FramePlace::Over::stage, 7}},
+                              std::vector<FramePlace>{{FramePlace::Over::t, 1.0 / 3}, {FramePlace::Over::t, 0.5}});
+        written.isAnimated = *rc::gen::arbitrary<bool>();
+        written.frameSeconds = *rc::gen::element(0.5, 0.01, 60.0);
+        if (*rc::gen::arbitrary<bool>())
+            document.sheets[1].view.exported = written;
         document.sheets[2].view.polylinePoints = *rc::gen::element(2, 8, 100);
         document.sheets[2].view.combScale = *rc::gen::element(1.0, 0.01, 2.0 / 3, 100.0);
         return document;

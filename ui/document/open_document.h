@@ -70,6 +70,8 @@ class OpenDocument : public QObject {
     void setLayerShown(SheetIndex sheet, std::string_view layer, bool isShown);
     void setCombScale(SheetIndex sheet, double scale);
     void setPolylinePoints(SheetIndex sheet, int points);
+    /// Tells nobody: nothing looks different.
+    void setExported(SheetIndex sheet, const FigureFileOptions& options) { present_.view(sheet).exported = options; }
     void setParameters(SheetIndex sheet, std::vector<double> parameters);
 
     [[nodiscard]] QUndoStack& history(SheetIndex sheet) { return *histories_[sheet]; }

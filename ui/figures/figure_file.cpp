@@ -1,8 +1,10 @@
 #include "ui/figures/figure_file.h"
 
+#include "core/io/plain_number.h"
 #include "core/io/points_csv.h"
 #include "core/io/svg/svg_writer.h"
 #include "ui/figures/caption_text.h"
+#include "ui/figures/figure_ink.h"
 
 #include <QCoreApplication>
 
@@ -23,8 +25,32 @@ class FaultTexts {
     Q_DECLARE_TR_FUNCTIONS(FigureFile)
 };
 
+/// Of the letters of a label, in millimetres: a letter is some thousand units high, fonts being set in whole ones.
+std::string outlineData(const PlacedLabel& label) {
+    constexpr double kUnits = 1000; // of a millimetre
+    constexpr int kDecimals = 4;
+    static const LabelFonts fonts = labelFonts(kUnits * kMillimetresPerPoint);
+    const QPainterPath path = labelOutlines(label, {kUnits * label.baseline.x, kUnits * label.baseline.y}, fonts);
+    std::string data;
+    for (int i = 0; i < path.elementCount(); ++i) {
+        const QPainterPath::Element element = path.elementAt(i);
+        if (element.isMoveTo())
+            data += data.empty() ? "M" : " Z M";
+        else if (element.isLineTo())
+            data += " L";
+        else if (element.isCurveTo())
+            data += " C";
+        data.append(" ").append(plainNumber(element.x / kUnits, kDecimals));
+        data.append(",").append(plainNumber(element.y / kUnits, kDecimals));
+    }
+    return data.empty() ? data : data + " Z";
+}
+
 SvgOptions svgOptions(const FigureFileOptions& options) {
-    return {{}, options.decimals, options.hasInkscapeLayers};
+    SvgOptions svg{{}, options.decimals, options.hasInkscapeLayers, {}};
+    if (options.hasOutlines)
+        svg.outlineOf = outlineData;
+    return svg;
 }
 
 QByteArray bytesOf(const std::string& text) {
@@ -46,6 +72,8 @@ QString suffixOf(FigureFormat format) {
 }
 
 QString faultText(FigureFault fault) {
+    if (fault == FigureFault::noSuchFrame)
+        return FaultTexts::tr("the animation of the curve has no such frame");
     if (fault == FigureFault::tooManyPixels)
         return FaultTexts::tr("the picture would have more than %1 pixels a side").arg(kMostPixels);
     return FaultTexts::tr("TeX draws at most %1 mm a side; give the figure a width").arg(kMostTexSide);
@@ -75,10 +103,43 @@ FigureFile drawingFile(const Drawing& drawing, const FigureFileOptions& options)
     return bytesOf(writeSvg(drawing, texts, svgOptions(options)));
 }
 
+namespace {
+
+FigureFile framesFile(const Document& document, SheetIndex sheet, const FigureFileOptions& options) {
+    const TextSource texts = textSource();
+    SvgOptions svg = svgOptions(options);
+    if (options.holdsDocument)
+        svg.document = documentForSvg(document);
+    if (options.format == FigureFormat::svg && options.isAnimated) {
+        const auto frames = framesOf(document, sheet, options.frames, texts, options.drawing);
+        if (!frames)
+            return FigureFault::noSuchFrame;
+        return bytesOf(writeAnimatedSvg(*frames, options.frameSeconds, texts, svg));
+    }
+    const auto strip = frameStripOf(document, sheet, options.frames, texts, options.drawing);
+    if (!strip)
+        return FigureFault::noSuchFrame;
+    return options.format == FigureFormat::svg ? bytesOf(writeSvg(*strip, texts, svg)) : drawingFile(*strip, options);
+}
+
+} // namespace
+
+std::vector<FigureFile> frameFiles(const Document& document, SheetIndex sheet, const FigureFileOptions& options) {
+    const auto frames = framesOf(document, sheet, options.frames, textSource(), options.drawing);
+    if (!frames)
+        return {FigureFault::noSuchFrame};
+    std::vector<FigureFile> files;
+    for (const Drawing& frame : *frames)
+        files.push_back(drawingFile(frame, options));
+    return files;
+}
+
 FigureFile figureFile(const Document& document, SheetIndex sheet, const FigureFileOptions& options) {
     const TextSource texts = textSource();
     if (options.format == FigureFormat::csv)
         return bytesOf(writePointsCsv(document.sheets[sheet], options.drawing.curve));
+    if (!options.frames.empty())
+        return framesFile(document, sheet, options);
     if (options.format == FigureFormat::svg && options.holdsDocument)
         return bytesOf(writeSheetSvg(document, sheet, texts, options.drawing, svgOptions(options)));
     return drawingFile(drawingOf(document, sheet, texts, options.drawing), options);

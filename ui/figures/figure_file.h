@@ -7,10 +7,9 @@
 #include <QString>
 
 #include <variant>
+#include <vector>
 
 namespace kriva::ui {
-
-enum class FigureFormat { svg, pdf, png, tikz, csv };
 
 /// By the end of a file's name: .svg, .pdf, .png, .tex or .csv, in small letters or capitals.
 [[nodiscard]] std::optional<FigureFormat> figureFormatOf(const QString& path);
@@ -18,22 +17,11 @@ enum class FigureFormat { svg, pdf, png, tikz, csv };
 /// ".svg"
 [[nodiscard]] QString suffixOf(FigureFormat format);
 
-/// What a person wants of the file of a figure. What a format does not have is not looked at.
-struct FigureFileOptions {
-    FigureFormat format = FigureFormat::svg;
-    DrawingOptions drawing = {};
-    bool holdsDocument = true;        ///< of SVG
-    std::optional<int> decimals = {}; ///< of SVG; exact where there are none
-    bool hasInkscapeLayers = false;   ///< of SVG
-    int dpi = kUsualDpi;              ///< of PNG
-    bool isTransparent = false;       ///< of PNG
-    TikzKind tikz = TikzKind::standalone;
-};
-
 /// Why there is no such file.
 enum class FigureFault {
     tooManyPixels, ///< a side of more than kMostPixels
     beyondTex,     ///< a side longer than TeX can count, kMostTexSide
+    noSuchFrame,   ///< the active curve's animation does not have one of the frames
 };
 /// The same as a part of a sentence in the present language.
 [[nodiscard]] QString faultText(FigureFault fault);
@@ -43,7 +31,11 @@ using FigureFile = std::variant<QByteArray, FigureFault>;
 /// The file of a drawing, which is no document and has no points: not CSV.
 [[nodiscard]] FigureFile drawingFile(const Drawing& drawing, const FigureFileOptions& options);
 
-/// The file of a sheet's figure. CSV holds the points of the curves that are drawn.
+/// The file of a sheet's figure, or of the frames asked for. CSV holds the points of the curves that are drawn.
 [[nodiscard]] FigureFile figureFile(const Document& document, SheetIndex sheet, const FigureFileOptions& options);
+
+/// A file for each of the frames, without a document; all pages are of one size. Not CSV.
+[[nodiscard]] std::vector<FigureFile> frameFiles(const Document& document, SheetIndex sheet,
+                                                 const FigureFileOptions& options);
 
 } // namespace kriva::ui

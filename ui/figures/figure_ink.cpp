@@ -6,6 +6,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <array>
 
 namespace kriva::ui {
 namespace {
@@ -74,26 +75,48 @@ LabelFonts labelFonts(double pointSize) {
     return fonts;
 }
 
-void paintLabel(QPainter& painter, const PlacedLabel& label, QPointF baseline, const LabelFonts& fonts) {
-    const QString text = QString::fromStdString(label.text);
-    const QString subscript = QString::fromStdString(label.subscript);
-    const QString suffix = QString::fromStdString(label.suffix);
-    const QFont& textFont = label.isVariable ? fonts.variable : fonts.text;
-    const double textWidth = widthOf(text, textFont);
-    const double subscriptWidth = widthOf(subscript, fonts.subscript);
-    const double width = textWidth + subscriptWidth + widthOf(suffix, fonts.text);
+namespace {
+
+/// Words of one font, and where they start.
+struct LabelPart {
+    const QFont& font;
+    QString words;
+    QPointF at;
+};
+
+std::array<LabelPart, 3> partsOf(const PlacedLabel& label, QPointF baseline, const LabelFonts& fonts) {
     const double drop = kSubscriptDrop / kTextSize * fonts.text.pixelSize();
-    double x = baseline.x();
-    if (label.anchor != TextAnchor::start)
-        x -= label.anchor == TextAnchor::middle ? width / 2 : width;
-    const auto write = [&](const QFont& font, const QString& words, double y) {
-        painter.setFont(font);
-        painter.drawText(QPointF(x, y), words);
-        x += widthOf(words, font);
-    };
-    write(textFont, text, baseline.y());
-    write(fonts.subscript, subscript, baseline.y() + drop);
-    write(fonts.text, suffix, baseline.y());
+    std::array<LabelPart, 3> parts{{
+        {label.isVariable ? fonts.variable : fonts.text, QString::fromStdString(label.text), baseline},
+        {fonts.subscript, QString::fromStdString(label.subscript), baseline + QPointF(0, drop)},
+        {fonts.text, QString::fromStdString(label.suffix), baseline},
+    }};
+    double width = 0;
+    for (LabelPart& part : parts) {
+        part.at.rx() += width;
+        width += widthOf(part.words, part.font);
+    }
+    const double back = label.anchor == TextAnchor::start ? 0 : label.anchor == TextAnchor::middle ? width / 2 : width;
+    for (LabelPart& part : parts)
+        part.at.rx() -= back;
+    return parts;
+}
+
+} // namespace
+
+QPainterPath labelOutlines(const PlacedLabel& label, QPointF baseline, const LabelFonts& fonts) {
+    QPainterPath outlines;
+    outlines.setFillRule(Qt::WindingFill);
+    for (const LabelPart& part : partsOf(label, baseline, fonts))
+        outlines.addText(part.at, part.font, part.words);
+    return outlines;
+}
+
+void paintLabel(QPainter& painter, const PlacedLabel& label, QPointF baseline, const LabelFonts& fonts) {
+    for (const LabelPart& part : partsOf(label, baseline, fonts)) {
+        painter.setFont(part.font);
+        painter.drawText(part.at, part.words);
+    }
 }
 
 } // namespace kriva::ui

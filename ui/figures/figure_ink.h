@@ -5,6 +5,7 @@
 
 #include <QColor>
 #include <QFont>
+#include <QPainterPath>
 #include <QPen>
 #include <QPointF>
 
@@ -29,6 +30,9 @@ struct LabelFonts {
     QFont subscript;
 };
 [[nodiscard]] LabelFonts labelFonts(double pointSize);
+
+/// `baseline` is the label's own in the painter's units, like the result: the outlines of its letters.
+[[nodiscard]] QPainterPath labelOutlines(const PlacedLabel& label, QPointF baseline, const LabelFonts& fonts);
 
 /// `baseline` is the label's own in the painter's units.
 void paintLabel(QPainter& painter, const PlacedLabel& label, QPointF baseline, const LabelFonts& fonts);

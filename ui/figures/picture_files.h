@@ -9,7 +9,6 @@
 namespace kriva::ui {
 
 inline constexpr int kMostPixels = 16'384; ///< of a side of a PNG
-inline constexpr int kUsualDpi = 300;
 
 /// Of a page at so many dots per inch, each side at least 1.
 [[nodiscard]] QSize pixelSize(const Page& page, int dpi);

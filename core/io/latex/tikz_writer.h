@@ -5,11 +5,6 @@
 namespace kriva {
 
 /// What TeX is to make of the figure.
-enum class TikzKind {
-    fragment,   ///< a tikzpicture for \input; the document loads tikz
-    standalone, ///< a document of its own, one page as large as the figure
-};
-
 /// TeX has no longer lengths: 16383 of its points, in millimetres, and a little room.
 inline constexpr double kMostTexSide = 5700;
 

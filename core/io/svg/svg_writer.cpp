@@ -32,15 +32,22 @@ class SvgText {
         , options_(options)
         , decimals_(options.decimals.value_or(decimalsOf(drawing.page))) {}
 
+    /// The drawing alone.
     [[nodiscard]] std::string take() &&;
+    /// The drawing and further frames.
+    [[nodiscard]] std::string takeAnimated(std::span<const Drawing> frames, double seconds) &&;
 
   private:
     void head();
-    void layer(std::size_t index, const std::vector<PlacedLabel>& labels);
+    void layer(const Drawing& drawing, std::size_t index, const std::vector<PlacedLabel>& labels,
+               std::string_view idSuffix = {});
+    /// Shows what follows in the frame `index` of so many.
+    void animation(std::size_t index, std::size_t count, double seconds);
     void stroke(const Stroke& stroke, bool isOfCurves);
     void marks(const Marks& marks);
     void mark(Point centre, const RoleStyle& style);
     void label(const PlacedLabel& label);
+    void outline(const PlacedLabel& label);
     /// An upright part of a label, that much lower than what stands before it.
     void part(std::string_view text, double drop, double size);
     void line(std::string_view text) { text_.append(text).append("\n"); }
@@ -61,9 +68,72 @@ std::string SvgText::take() && {
     head();
     const auto labels = placedLabels(drawing_.figure, drawing_.page, texts_);
     for (std::size_t i = 0; i < labels.size(); ++i)
-        layer(i, labels[i]);
+        layer(drawing_, i, labels[i]);
     line("</svg>");
     return std::move(text_);
+}
+
+std::string SvgText::takeAnimated(std::span<const Drawing> frames, double seconds) && {
+    /// A layer of one frame.
+    struct Part {
+        std::size_t frame;
+        std::size_t index;
+        std::vector<PlacedLabel> labels;
+    };
+    // By name in the order of drawing, which all frames share.
+    std::vector<std::pair<std::string_view, std::vector<Part>>> layers;
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        auto labels = placedLabels(frames[f].figure, frames[f].page, texts_);
+        auto behind = layers.begin();
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            const std::string_view name = frames[f].figure.layers[i].name;
+            auto at = std::ranges::find(layers, name, [](const auto& layer) { return layer.first; });
+            if (at == layers.end())
+                at = layers.insert(behind, {name, {}});
+            at->second.push_back({f, i, std::move(labels[i])});
+            behind = at + 1;
+        }
+    }
+    head();
+    for (const auto& [name, parts] : layers) {
+        const auto layerOf = [&](const Part& part) -> const Layer& {
+            return frames[part.frame].figure.layers[part.index];
+        };
+        const bool standsStill =
+            parts.size() == frames.size() && std::ranges::all_of(parts, [&](const Part& part) {
+                return layerOf(part) == layerOf(parts.front()) && part.labels == parts.front().labels;
+            });
+        if (standsStill) {
+            layer(frames.front(), parts.front().index, parts.front().labels);
+            continue;
+        }
+        for (const Part& part : parts) {
+            animation(part.frame, frames.size(), seconds);
+            layer(frames[part.frame], part.index, part.labels, "-" + decimal(static_cast<int>(part.frame)));
+            line("</g>");
+        }
+    }
+    line("</svg>");
+    return std::move(text_);
+}
+
+void SvgText::animation(std::size_t index, std::size_t count, double seconds) {
+    const auto part = [&](std::size_t i) {
+        return plainNumber(static_cast<double>(i) / static_cast<double>(count), 6);
+    };
+    std::string values = index == 0 ? "visible" : "hidden;visible";
+    std::string times = index == 0 ? "0" : "0;" + part(index);
+    if (index + 1 < count) {
+        values += ";hidden";
+        times += ";" + part(index + 1);
+    }
+    text_ += "<g";
+    attribute("visibility", index == 0 ? "visible" : "hidden");
+    text_ += "><animate attributeName=\"visibility\" calcMode=\"discrete\" repeatCount=\"indefinite\"";
+    attribute("dur", plainNumber(static_cast<double>(count) * seconds, 3) + "s");
+    attribute("values", values);
+    attribute("keyTimes", times);
+    line("/>");
 }
 
 void SvgText::head() {
@@ -96,13 +166,14 @@ void SvgText::head() {
     line("/>");
 }
 
-void SvgText::layer(std::size_t index, const std::vector<PlacedLabel>& labels) {
-    const Layer& layer = drawing_.figure.layers[index];
+void SvgText::layer(const Drawing& drawing, std::size_t index, const std::vector<PlacedLabel>& labels,
+                    std::string_view idSuffix) {
+    const Layer& layer = drawing.figure.layers[index];
     text_ += "<g";
-    attribute("id", "layer-" + std::string(layer.name));
+    attribute("id", std::string("layer-").append(layer.name).append(idSuffix));
     if (options_.hasInkscapeLayers) {
         attribute("inkscape:groupmode", "layer");
-        attribute("inkscape:label", xmlText(drawing_.layerTitles[index]));
+        attribute("inkscape:label", xmlText(drawing.layerTitles[index]));
     }
     if (!labels.empty()) {
         attribute("font-family", kTextFamily);
@@ -187,6 +258,8 @@ void SvgText::mark(Point centre, const RoleStyle& style) {
 }
 
 void SvgText::label(const PlacedLabel& label) {
+    if (options_.outlineOf)
+        return outline(label);
     constexpr std::string_view kAnchors[] = {"start", "middle", "end"};
     text_ += "<text";
     attribute("x", millimetres(label.baseline.x));
@@ -203,6 +276,14 @@ void SvgText::label(const PlacedLabel& label) {
     line("</text>");
 }
 
+void SvgText::outline(const PlacedLabel& label) {
+    text_ += "<path";
+    attribute("aria-label", xmlText(label.text + label.subscript + label.suffix));
+    attribute("d", options_.outlineOf(label));
+    attribute("fill", hexOf(styleOf(label.role, 0, drawing_.theme).color));
+    line("/>");
+}
+
 void SvgText::part(std::string_view text, double drop, double size) {
     text_ += "<tspan";
     attribute("dy", fromPoints(drop));
@@ -217,10 +298,20 @@ std::string writeSvg(const Drawing& drawing, const TextSource& texts, const SvgO
     return SvgText(drawing, texts, options).take();
 }
 
+std::string writeAnimatedSvg(std::span<const Drawing> frames, double seconds, const TextSource& texts,
+                             const SvgOptions& options) {
+    return SvgText(frames.front(), texts, options).takeAnimated(frames, seconds);
+}
+
+std::string documentForSvg(const Document& document) {
+    std::string json = writeDocument(document, 0);
+    json.pop_back(); // one line of the file, without its end
+    return json;
+}
+
 std::string writeSheetSvg(const Document& document, SheetIndex sheet, const TextSource& texts,
                           const DrawingOptions& drawing, SvgOptions options) {
-    options.document = writeDocument(document, 0);
-    options.document.pop_back(); // one line of the file, without its end
+    options.document = documentForSvg(document);
     return writeSvg(drawingOf(document, sheet, texts, drawing), texts, options);
 }
 

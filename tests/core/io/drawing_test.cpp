@@ -58,5 +58,55 @@ TEST(Drawing, hasExactlyTheWidthAskedFor) {
     EXPECT_NEAR(onPage(upright.page, {9, 1}).x, 25, 1e-12) << "what has no width stands in the middle";
 }
 
+Document raisedArch() {
+    Document document;
+    document.sheets[0].curves = {ElevationCurve{"", {{0, 0}, {1, 2}, {3, 2}, {4, 0}}, 3, {}, {}}};
+    return document;
+}
+
+TEST(Frames, haveOnePageAndTheirStages) {
+    const std::vector<FramePlace> places{{FramePlace::Over::stage, 0}, {FramePlace::Over::stage, 7}};
+    const Document document = raisedArch();
+    const auto frames = framesOf(document, 0, places, kDrawingTexts);
+    ASSERT_TRUE(frames);
+    ASSERT_EQ(frames->size(), 2U);
+    EXPECT_EQ((*frames)[0].page.width, (*frames)[1].page.width);
+    Document last = document;
+    std::get<ElevationCurve>(last.sheets[0].curves[0]).times = 7;
+    EXPECT_EQ((*frames)[1].figure, drawingOf(last, 0, kDrawingTexts).figure);
+    const auto strip = frameStripOf(document, 0, places, kDrawingTexts, {.width = 200});
+    ASSERT_TRUE(strip);
+    EXPECT_EQ(strip->page.width, 200);
+    EXPECT_GT(boxOf(strip->figure).width(), 2 * boxOf((*frames)[0].figure).width());
+    // The same layers as one frame has, each with what both have.
+    for (const Layer& layer : strip->figure.layers) {
+        if (layer.name == "curve") {
+            EXPECT_EQ(layer.strokes.size(), 2U);
+        }
+    }
+}
+
+TEST(Frames, areOnlyThoseThatTheCurveHas) {
+    const auto has = [](const Document& document, SheetIndex sheet, FramePlace place) {
+        return framesOf(document, sheet, {&place, 1}, kDrawingTexts).has_value();
+    };
+    using enum FramePlace::Over;
+    Document document = raisedArch();
+    document.sheets[1].curves = {SubdivisionCurve{"", {{0, 0}, {1, 2}, {3, 2}}, {1, 1, 1}, 0.5, 1, {}, {}, {}}};
+    document.sheets[2].curves = {SplineCurve{}};
+    document.sheets[3].curves = {CombinedCurve{"", {{0, 0}, {1, 2}}, {}, 3, {}, {}, {}, {}}};
+    EXPECT_TRUE(has(document, 0, {stage, 10'000}));
+    EXPECT_FALSE(has(document, 0, {stage, 10'001}));
+    EXPECT_FALSE(has(document, 0, {t, 0.5}));
+    EXPECT_TRUE(has(document, 1, {stage, 4}));
+    EXPECT_FALSE(has(document, 1, {stage, 17}));
+    EXPECT_TRUE(has(document, 1, {t, 0.25}));
+    EXPECT_FALSE(has(document, 1, {t, 1}));
+    EXPECT_FALSE(has(document, 2, {stage, 0}));
+    EXPECT_TRUE(has(document, 3, {stage, 4}));
+    EXPECT_FALSE(has(document, 3, {stage, 5}));
+    EXPECT_FALSE(has({}, 0, {stage, 0}));
+}
+
 } // namespace
 } // namespace kriva

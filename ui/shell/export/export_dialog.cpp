@@ -1,6 +1,7 @@
 #include "ui/shell/export/export_dialog.h"
 
 #include "ui/figures/caption_text.h"
+#include "ui/figures/frame_text.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -20,10 +21,7 @@ constexpr std::array kFormatsInOrder{FigureFormat::svg, FigureFormat::pdf, Figur
 constexpr double kLeastWidth = 5;
 constexpr double kMostWidth = 2000;
 constexpr double kMostMargin = 100;
-constexpr double kMostDecimals = 12;
 constexpr double kUsualDecimals = 3;
-constexpr double kLeastDpi = 10;
-constexpr double kMostDpi = 2400;
 
 } // namespace
 
@@ -43,11 +41,15 @@ ExportDialog::ExportDialog(Document document, SheetIndex sheet, const FigureFile
     , layers_(new QListWidget(this))
     , holdsDocument_(new QCheckBox(this))
     , hasInkscapeLayers_(new QCheckBox(this))
+    , hasOutlines_(new QCheckBox(this))
     , isRounded_(new QCheckBox(this))
     , decimals_(new NumberField(this))
     , dpi_(new NumberField(this))
     , isTransparent_(new QCheckBox(this))
     , isFragment_(new QCheckBox(this))
+    , frames_(new QLineEdit(this))
+    , isAnimated_(new QCheckBox(this))
+    , frameSeconds_(new NumberField(this))
     , buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this)) {
     fill(options);
     layOut();
@@ -70,6 +72,7 @@ void ExportDialog::fill(const FigureFileOptions& options) {
     hasTexts_->setChecked(options.drawing.hasLabels);
     holdsDocument_->setChecked(options.holdsDocument);
     hasInkscapeLayers_->setChecked(options.hasInkscapeLayers);
+    hasOutlines_->setChecked(options.hasOutlines);
     isRounded_->setChecked(options.decimals.has_value());
     decimals_->setRange({0, kMostDecimals, false, true});
     decimals_->setValue(options.decimals.value_or(kUsualDecimals));
@@ -77,13 +80,18 @@ void ExportDialog::fill(const FigureFileOptions& options) {
     dpi_->setValue(options.dpi);
     isTransparent_->setChecked(options.isTransparent);
     isFragment_->setChecked(options.tikz == TikzKind::fragment);
+    frames_->setText(framePlacesText(options.frames));
+    isAnimated_->setChecked(options.isAnimated);
+    frameSeconds_->setRange({kLeastFrameSeconds, kMostFrameSeconds});
+    frameSeconds_->setValue(options.frameSeconds);
     fillLayers(options.drawing);
 }
 
 void ExportDialog::layOut() {
-    for (QWidget* field : std::initializer_list<QWidget*>{format_, hasOwnWidth_, width_, margin_, size_, theme_,
-                                                          hasTexts_, layers_, holdsDocument_, hasInkscapeLayers_,
-                                                          isRounded_, decimals_, dpi_, isTransparent_, isFragment_})
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{format_, hasOwnWidth_, width_, margin_, size_, theme_, hasTexts_, layers_,
+                                         frames_, isAnimated_, frameSeconds_, holdsDocument_, hasInkscapeLayers_,
+                                         hasOutlines_, isRounded_, decimals_, dpi_, isTransparent_, isFragment_})
         addRow(field);
     auto* fields = new QVBoxLayout;
     fields->addLayout(form_);
@@ -119,9 +127,10 @@ void ExportDialog::connectFields() {
     connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::showFormat);
     connect(theme_, &QComboBox::currentIndexChanged, this, &ExportDialog::showDrawing);
     connect(layers_, &QListWidget::itemChanged, this, &ExportDialog::showDrawing);
-    for (QCheckBox* box : {hasOwnWidth_, hasTexts_, isRounded_, isTransparent_})
+    connect(frames_, &QLineEdit::editingFinished, this, &ExportDialog::showFormat);
+    for (QCheckBox* box : {hasOwnWidth_, hasTexts_, isAnimated_, isRounded_, isTransparent_})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::showFormat);
-    for (NumberField* field : {width_, margin_, decimals_, dpi_})
+    for (NumberField* field : {width_, margin_, frameSeconds_, decimals_, dpi_})
         connect(field, &NumberField::valueCommitted, this, &ExportDialog::showDrawing);
     connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -151,12 +160,17 @@ void ExportDialog::retranslateUi() {
     setRowText(size_, tr("Page"));
     setRowText(theme_, tr("&Colours"));
     setRowText(layers_, tr("La&yers"));
+    setRowText(frames_, tr("Fra&mes"));
+    setRowText(frameSeconds_, tr("Seconds of &a frame"));
     setRowText(decimals_, tr("D&ecimals"));
     setRowText(dpi_, tr("&Dots per inch"));
+    frames_->setPlaceholderText(tr("0; 5; 10 or 0..10 or t = 0.25; 0.5"));
+    isAnimated_->setText(tr("A&nimated"));
     hasOwnWidth_->setText(tr("&Own width"));
     hasTexts_->setText(tr("Text&s in the figure"));
     holdsDocument_->setText(tr("The document &goes along, to open the file again"));
     hasInkscapeLayers_->setText(tr("Layers for &Inkscape"));
+    hasOutlines_->setText(tr("O&utlines in place of letters"));
     isRounded_->setText(tr("&Round coordinates"));
     isTransparent_->setText(tr("&Transparent"));
     isFragment_->setText(tr("A &part for another document"));
@@ -177,7 +191,12 @@ void ExportDialog::showFormat() {
     for (QWidget* field :
          std::initializer_list<QWidget*>{hasOwnWidth_, width_, margin_, size_, theme_, hasTexts_, layers_})
         form_->setRowVisible(field, isFigure);
-    for (QWidget* field : std::initializer_list<QWidget*>{holdsDocument_, hasInkscapeLayers_, isRounded_, decimals_})
+    form_->setRowVisible(frames_, isFigure && hasFrames());
+    const bool mayBeAnimated = shown == FigureFormat::svg && !frames_->text().trimmed().isEmpty() && hasFrames();
+    form_->setRowVisible(isAnimated_, mayBeAnimated);
+    form_->setRowVisible(frameSeconds_, mayBeAnimated && isAnimated_->isChecked());
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{holdsDocument_, hasInkscapeLayers_, hasOutlines_, isRounded_, decimals_})
         form_->setRowVisible(field, shown == FigureFormat::svg);
     form_->setRowVisible(dpi_, shown == FigureFormat::png);
     form_->setRowVisible(isTransparent_, shown == FigureFormat::png);
@@ -189,7 +208,7 @@ void ExportDialog::showFormat() {
 
 void ExportDialog::showDrawing() {
     const FigureFileOptions wanted = options();
-    Drawing drawing = drawingOf(document_, sheet_, textSource(), wanted.drawing);
+    Drawing drawing = this->drawing(wanted);
     drawing.hasPaper = !wanted.isTransparent || wanted.format != FigureFormat::png;
     const Page& page = drawing.page;
     const QLocale locale;
@@ -197,6 +216,17 @@ void ExportDialog::showDrawing() {
     if (!hasOwnWidth_->isChecked())
         width_->setValue(page.width);
     preview_->setDrawing(std::move(drawing));
+}
+
+Drawing ExportDialog::drawing(const FigureFileOptions& wanted) const {
+    if (!wanted.frames.empty())
+        if (auto strip = frameStripOf(document_, sheet_, wanted.frames, textSource(), wanted.drawing))
+            return *std::move(strip);
+    return drawingOf(document_, sheet_, textSource(), wanted.drawing);
+}
+
+bool ExportDialog::hasFrames() const {
+    return atFrame(document_.sheets[sheet_], {}).has_value();
 }
 
 FigureFormat ExportDialog::format() const {
@@ -223,11 +253,16 @@ FigureFileOptions ExportDialog::options() const {
     options.drawing.theme = theme_->currentIndex() == 1 ? Theme::dark : Theme::light;
     options.holdsDocument = holdsDocument_->isChecked();
     options.hasInkscapeLayers = hasInkscapeLayers_->isChecked();
+    options.hasOutlines = hasOutlines_->isChecked();
     if (isRounded_->isChecked())
         options.decimals = static_cast<int>(decimals_->value());
     options.dpi = static_cast<int>(dpi_->value());
     options.isTransparent = isTransparent_->isChecked();
     options.tikz = isFragment_->isChecked() ? TikzKind::fragment : TikzKind::standalone;
+    if (hasFrames())
+        options.frames = readFramePlaces(frames_->text()).value_or(std::vector<FramePlace>());
+    options.isAnimated = isAnimated_->isChecked() && !options.frames.empty() && options.format == FigureFormat::svg;
+    options.frameSeconds = frameSeconds_->value();
     return options;
 }
 

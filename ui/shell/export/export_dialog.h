@@ -10,6 +10,7 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 
 namespace kriva::ui {
@@ -37,6 +38,9 @@ class ExportDialog : public QDialog {
     void showFormat();
     void showDrawing();
     [[nodiscard]] FigureFormat format() const;
+    /// Whether the active curve has an animation.
+    [[nodiscard]] bool hasFrames() const;
+    [[nodiscard]] Drawing drawing(const FigureFileOptions& wanted) const;
     [[nodiscard]] std::vector<std::string> checkedLayers() const;
 
     const Document document_;
@@ -53,11 +57,15 @@ class ExportDialog : public QDialog {
     QListWidget* layers_;
     QCheckBox* holdsDocument_;
     QCheckBox* hasInkscapeLayers_;
+    QCheckBox* hasOutlines_;
     QCheckBox* isRounded_;
     NumberField* decimals_;
     NumberField* dpi_;
     QCheckBox* isTransparent_;
     QCheckBox* isFragment_;
+    QLineEdit* frames_;
+    QCheckBox* isAnimated_;
+    NumberField* frameSeconds_;
     QDialogButtonBox* buttons_;
 };
 

@@ -64,6 +64,10 @@ QString proposedName(const SheetEditor& editor, const QString& name, FigureForma
                                          QString::fromUtf8(sheetName(editor.index())), suffixOf(format));
 }
 
+FigureFileOptions optionsOf(const SheetEditor& editor) {
+    return editor.sheet().view.exported.value_or(FigureFileOptions());
+}
+
 } // namespace
 
 void exportPlots(const std::vector<Plot>& plots, QWidget* window) {
@@ -82,18 +86,18 @@ FigureExport::FigureExport(QWidget* window)
     , window_(window) {}
 
 void FigureExport::ask(const SheetEditor& editor, const QString& name) {
-    Last& last = last_[editor.index()];
-    ExportDialog dialog(editor.documentOnView(), editor.index(), last.options, window_);
+    ExportDialog dialog(editor.documentOnView(), editor.index(), optionsOf(editor), window_);
     if (dialog.exec() != QDialog::Accepted)
         return;
-    last.options = dialog.options();
-    const QString proposed = proposedName(editor, name, last.options.format);
-    if (const std::optional<QString> path = askForFile(proposed, {filterFor(last.options.format)}, window_))
+    const FigureFormat format = dialog.options().format;
+    editor.document().setExported(editor.index(), dialog.options());
+    if (const std::optional<QString> path =
+            askForFile(proposedName(editor, name, format), {filterFor(format)}, window_))
         write(editor, *path);
 }
 
 void FigureExport::again(const SheetEditor& editor, const QString& name) {
-    const QString path = last_[editor.index()].path; // write() sets it
+    const QString path = paths_[editor.index()]; // write() sets it
     if (path.isEmpty())
         ask(editor, name);
     else
@@ -101,18 +105,19 @@ void FigureExport::again(const SheetEditor& editor, const QString& name) {
 }
 
 void FigureExport::write(const SheetEditor& editor, const QString& path) {
-    Last& last = last_[editor.index()];
+    FigureFileOptions options = optionsOf(editor);
     // What is called .pdf is one, whatever was chosen before.
-    last.options.format = figureFormatOf(path).value_or(last.options.format);
-    if (!writeOrTell(figureFile(editor.documentOnView(), editor.index(), last.options), path, window_))
+    options.format = figureFormatOf(path).value_or(options.format);
+    editor.document().setExported(editor.index(), options);
+    if (!writeOrTell(figureFile(editor.documentOnView(), editor.index(), options), path, window_))
         return;
-    last.path = path;
+    paths_[editor.index()] = path;
     Q_EMIT told(tr("Written: %1").arg(path));
 }
 
 void FigureExport::copy(const SheetEditor& editor) const {
     const Document document = editor.documentOnView();
-    FigureFileOptions options = last_[editor.index()].options;
+    FigureFileOptions options = optionsOf(editor);
     const Drawing drawing = drawingOf(document, editor.index(), textSource(), options.drawing);
     auto clip = std::make_unique<QMimeData>();
     const auto add = [&](const char* type, const FigureFile& made) {
@@ -129,7 +134,7 @@ void FigureExport::copy(const SheetEditor& editor) const {
 }
 
 void FigureExport::copyTikz(const SheetEditor& editor) const {
-    FigureFileOptions options = last_[editor.index()].options;
+    FigureFileOptions options = optionsOf(editor);
     options.format = FigureFormat::tikz;
     options.tikz = TikzKind::fragment;
     const FigureFile made = figureFile(editor.documentOnView(), editor.index(), options);
@@ -147,8 +152,7 @@ void FigureExport::copyPath(const SheetEditor& editor) const {
 }
 
 void FigureExport::print(const SheetEditor& editor, const QString& name) {
-    const Drawing drawing =
-        drawingOf(editor.documentOnView(), editor.index(), textSource(), last_[editor.index()].options.drawing);
+    const Drawing drawing = drawingOf(editor.documentOnView(), editor.index(), textSource(), optionsOf(editor).drawing);
     QPrinter printer(QPrinter::HighResolution);
     printer.setDocName(name);
     printer.setPageOrientation(drawing.page.width > drawing.page.height ? QPageLayout::Landscape
@@ -161,8 +165,7 @@ void FigureExport::print(const SheetEditor& editor, const QString& name) {
 }
 
 void FigureExport::forgetFiles() {
-    for (Last& last : last_)
-        last.path.clear();
+    paths_.fill({});
 }
 
 } // namespace kriva::ui

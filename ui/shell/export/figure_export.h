@@ -44,12 +44,8 @@ class FigureExport : public QObject {
     /// Tells what went wrong, and where.
     void write(const SheetEditor& editor, const QString& path);
 
-    struct Last {
-        FigureFileOptions options;
-        QString path;
-    };
     QWidget* window_;
-    std::array<Last, kSheetCount> last_;
+    std::array<QString, kSheetCount> paths_; ///< of the last files
 };
 
 } // namespace kriva::ui

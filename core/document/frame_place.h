@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+namespace kriva {
+
+/// A place in the animation of a curve: a stage of its algorithm (elevations, levels of subdivision, steps of the
+/// combined algorithm), or its parameter t.
+struct FramePlace {
+    enum class Over { stage, t };
+    Over over = Over::stage;
+    double at = 0; ///< whole for stages
+    friend constexpr bool operator==(const FramePlace&, const FramePlace&) = default;
+};
+
+/// A curve as it is there, and how many stages of its layers are shown; nothing shows all.
+template <class C>
+struct Frame {
+    C curve;
+    std::optional<int> layerStage = {};
+};
+
+} // namespace kriva

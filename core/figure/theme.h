@@ -1,0 +1,7 @@
+#pragma once
+
+namespace kriva {
+
+enum class Theme { light, dark };
+
+} // namespace kriva
