@@ -699,6 +699,7 @@ kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--
     {name} and {sheet} in OUT stand for those of each file; - is the standard input and output
     --format svg|pdf|png|tex|csv     where the end of OUT does not say it
     --width 120mm --margin 6mm       of the page; mm, cm, in or pt
+    --scale 10                       millimetres for a unit, in place of a width
     --no-labels --theme light|dark
     --no-document --decimals N --inkscape-layers --outlines    of SVG; outlines in place of letters
     --dpi 300 --transparent          of PNG
@@ -724,6 +725,7 @@ kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--
     {name} и {sheet} в OUT са тези на всеки файл; - е стандартният вход и изход
     --format svg|pdf|png|tex|csv     когато краят на OUT не го казва
     --width 120mm --margin 6mm       на страницата; mm, cm, in или pt
+    --scale 10                       милиметри за единица вместо ширина
     --no-labels --theme light|dark
     --no-document --decimals N --inkscape-layers --outlines    за SVG; контури вместо букви
     --dpi 300 --transparent          за PNG
@@ -742,6 +744,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
 
 Кодове на изход: 0 готово, 1 неуспех, 2 грешна употреба, 3 отказан вход, 4 изходът не е записан.
 </translation>
+    </message>
+    <message>
+        <source>--scale is how many millimetres a unit has</source>
+        <translation>--scale е колко милиметра има една единица</translation>
+    </message>
+    <message>
+        <source>--width and --scale do not go together</source>
+        <translation>--width и --scale не вървят заедно</translation>
     </message>
 </context>
 <context>
@@ -2430,6 +2440,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>O&amp;utlines in place of letters</source>
         <translation>Конт&amp;ури вместо букви</translation>
+    </message>
+    <message>
+        <source>Scale (mm for a unit)</source>
+        <translation>Мащаб (mm за единица)</translation>
+    </message>
+    <message>
+        <source>Own scale</source>
+        <translation>Свой мащаб</translation>
     </message>
 </context>
 <context>

@@ -699,6 +699,7 @@ kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--
     {name} and {sheet} in OUT stand for those of each file; - is the standard input and output
     --format svg|pdf|png|tex|csv     where the end of OUT does not say it
     --width 120mm --margin 6mm       of the page; mm, cm, in or pt
+    --scale 10                       millimetres for a unit, in place of a width
     --no-labels --theme light|dark
     --no-document --decimals N --inkscape-layers --outlines    of SVG; outlines in place of letters
     --dpi 300 --transparent          of PNG
@@ -724,6 +725,7 @@ kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--
     {name} in {sheet} v OUT sta ime in list vsake datoteke; - je standardni vhod in izhod
     --format svg|pdf|png|tex|csv     kadar ga konec OUT ne pove
     --width 120mm --margin 6mm       strani; mm, cm, in ali pt
+    --scale 10                       milimetri na enoto namesto širine
     --no-labels --theme light|dark
     --no-document --decimals N --inkscape-layers --outlines    za SVG; obrisi namesto črk
     --dpi 300 --transparent          za PNG
@@ -742,6 +744,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
 
 Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod ni zapisan.
 </translation>
+    </message>
+    <message>
+        <source>--scale is how many millimetres a unit has</source>
+        <translation>--scale je, koliko milimetrov ima enota</translation>
+    </message>
+    <message>
+        <source>--width and --scale do not go together</source>
+        <translation>--width in --scale ne gresta skupaj</translation>
     </message>
 </context>
 <context>
@@ -2432,6 +2442,14 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>O&amp;utlines in place of letters</source>
         <translation>Obrisi na&amp;mesto črk</translation>
+    </message>
+    <message>
+        <source>Scale (mm for a unit)</source>
+        <translation>Merilo (mm na enoto)</translation>
+    </message>
+    <message>
+        <source>Own scale</source>
+        <translation>Lastno merilo</translation>
     </message>
 </context>
 <context>

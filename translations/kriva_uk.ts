@@ -699,6 +699,7 @@ kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--
     {name} and {sheet} in OUT stand for those of each file; - is the standard input and output
     --format svg|pdf|png|tex|csv     where the end of OUT does not say it
     --width 120mm --margin 6mm       of the page; mm, cm, in or pt
+    --scale 10                       millimetres for a unit, in place of a width
     --no-labels --theme light|dark
     --no-document --decimals N --inkscape-layers --outlines    of SVG; outlines in place of letters
     --dpi 300 --transparent          of PNG
@@ -724,6 +725,7 @@ kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--
     {name} і {sheet} в OUT — назва й аркуш кожного файлу; - є стандартним вводом і виводом
     --format svg|pdf|png|tex|csv     коли кінець OUT його не називає
     --width 120mm --margin 6mm       сторінки; mm, cm, in або pt
+    --scale 10                       міліметрів на одиницю замість ширини
     --no-labels --theme light|dark
     --no-document --decimals N --inkscape-layers --outlines    для SVG; контури замість літер
     --dpi 300 --transparent          для PNG
@@ -742,6 +744,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
 
 Коди виходу: 0 зроблено, 1 невдача, 2 хибне вживання, 3 ввід відхилено, 4 вивід не записано.
 </translation>
+    </message>
+    <message>
+        <source>--scale is how many millimetres a unit has</source>
+        <translation>--scale — скільки міліметрів має одиниця</translation>
+    </message>
+    <message>
+        <source>--width and --scale do not go together</source>
+        <translation>--width і --scale не йдуть разом</translation>
     </message>
 </context>
 <context>
@@ -2431,6 +2441,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>O&amp;utlines in place of letters</source>
         <translation>Конт&amp;ури замість літер</translation>
+    </message>
+    <message>
+        <source>Scale (mm for a unit)</source>
+        <translation>Масштаб (мм на одиницю)</translation>
+    </message>
+    <message>
+        <source>Own scale</source>
+        <translation>Власний масштаб</translation>
     </message>
 </context>
 <context>

@@ -38,7 +38,7 @@ class CommandLine {
 };
 
 bool takesValue(const QString& option) {
-    return QStringList{u"output"_s, u"sheet"_s, u"format"_s, u"language"_s, u"scale"_s, u"offset"_s}.contains(option) ||
+    return QStringList{u"output"_s, u"sheet"_s, u"format"_s, u"language"_s, u"offset"_s}.contains(option) ||
            exportOptionNames().values.contains(option);
 }
 
@@ -192,6 +192,7 @@ QString CommandLine::help() {
         "    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output\n"
         "    --format svg|pdf|png|tex|csv     where the end of OUT does not say it\n"
         "    --width 120mm --margin 6mm       of the page; mm, cm, in or pt\n"
+        "    --scale 10                       millimetres for a unit, in place of a width\n"
         "    --no-labels --theme light|dark\n"
         "    --no-document --decimals N --inkscape-layers --outlines    of SVG; outlines in place of letters\n"
         "    --dpi 300 --transparent          of PNG\n"

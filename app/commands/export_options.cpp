@@ -49,6 +49,7 @@ class ExportOptionReader {
         FigureFileOptions result;
         readFormat(result);
         readPage(result.drawing);
+        readScale(result.drawing);
         readContent(result.drawing);
         result.holdsDocument = !has(u"no-document"_s);
         result.hasInkscapeLayers = has(u"inkscape-layers"_s);
@@ -87,6 +88,17 @@ class ExportOptionReader {
         drawing.width = length(u"width"_s);
         if (drawing.width && *drawing.width <= 2 * drawing.margin)
             refuse(tr("--width must be more than both margins, which are %1 mm").arg(2 * drawing.margin));
+    }
+    void readScale(DrawingOptions& drawing) {
+        if (!has(u"scale"_s))
+            return;
+        bool isNumber = false;
+        const double scale = QLocale::c().toDouble(options_.value(u"scale"_s), &isNumber);
+        if (!isNumber || !(scale >= kLeastScale && scale <= kMostScale))
+            refuse(tr("--scale is how many millimetres a unit has"));
+        else if (has(u"width"_s))
+            refuse(tr("--width and --scale do not go together"));
+        drawing.mmPerUnit = scale;
     }
     void readContent(DrawingOptions& drawing) {
         if (const std::optional<int> curve = number(u"curve"_s, 0, kMostCurve))
@@ -143,8 +155,8 @@ class ExportOptionReader {
 } // namespace
 
 ExportOptionNames exportOptionNames() {
-    return {{u"curve"_s, u"layers"_s, u"width"_s, u"margin"_s, u"dpi"_s, u"decimals"_s, u"theme"_s, u"frames"_s,
-             u"seconds"_s},
+    return {{u"curve"_s, u"layers"_s, u"width"_s, u"scale"_s, u"margin"_s, u"dpi"_s, u"decimals"_s, u"theme"_s,
+             u"frames"_s, u"seconds"_s},
             {u"no-labels"_s, u"no-document"_s, u"inkscape-layers"_s, u"outlines"_s, u"transparent"_s, u"fragment"_s,
              u"animate"_s}};
 }

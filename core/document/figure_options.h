@@ -12,8 +12,10 @@ namespace kriva {
 
 /// How a sheet is to be drawn, where not as its view has it.
 struct DrawingOptions {
-    /// Of the page, in millimetres, more than both margins; nothing where the view's scale decides.
+    /// Of the page, in millimetres, more than both margins; nothing where the scale decides.
     std::optional<double> width = {};
+    /// The scale, in millimetres for a unit; nothing where the view's decides. A width goes before it.
+    std::optional<double> mmPerUnit = {};
     double margin = kPageMargin;                         ///< in millimetres
     std::optional<std::vector<std::string>> layers = {}; ///< these alone, by name
     std::optional<std::size_t> curve = {};               ///< this one alone, as the active curve; never remembered
@@ -29,6 +31,8 @@ enum class TikzKind {
     fragment,   ///< a tikzpicture for \input; the document loads tikz
 };
 
+inline constexpr double kLeastScale = 1e-12; ///< millimetres for a unit
+inline constexpr double kMostScale = 1e9;
 inline constexpr double kMostPageSide = 10'000; ///< millimetres: of a width, and of a margin
 inline constexpr int kMostDecimals = 12;
 inline constexpr int kLeastDpi = 10;

@@ -23,6 +23,8 @@ void readDrawing(const JsonObject& object, DrawingOptions& drawing, std::span<co
         drawing.margin = margin->number(0, kMostPageSide);
     if (const JsonNode* width = object.find("width"))
         drawing.width = width->numberBetween(2 * drawing.margin, 3 * kMostPageSide);
+    if (const JsonNode* scale = object.find("mmPerUnit"))
+        drawing.mmPerUnit = scale->number(kLeastScale, kMostScale);
     if (const JsonNode* chosen = object.find("layers")) {
         const JsonObject names(*chosen, layers);
         drawing.layers.emplace();
@@ -70,9 +72,9 @@ void writeFrames(JsonWriter& json, const FigureFileOptions& options) {
 } // namespace
 
 FigureFileOptions readFigureOptions(const JsonNode& node, std::span<const std::string_view> layers) {
-    const JsonObject object(node, {"format", "width", "margin", "layers", "labels", "theme", "document", "decimals",
-                                   "inkscapeLayers", "outlines", "dpi", "transparent", "fragment", "stages", "t",
-                                   "animated", "seconds"});
+    const JsonObject object(node, {"format", "width", "mmPerUnit", "margin", "layers", "labels", "theme", "document",
+                                   "decimals", "inkscapeLayers", "outlines", "dpi", "transparent", "fragment", "stages",
+                                   "t", "animated", "seconds"});
     FigureFileOptions options;
     if (const JsonNode* format = object.find("format"))
         options.format = format->oneOf(kFormats);
@@ -99,6 +101,8 @@ void writeFigureOptions(JsonWriter& json, const FigureFileOptions& options) {
         json.member("format", wordOf(options.format, kFormats));
     if (options.drawing.width)
         json.member("width", *options.drawing.width);
+    if (options.drawing.mmPerUnit)
+        json.member("mmPerUnit", *options.drawing.mmPerUnit);
     if (options.drawing.margin != usual.drawing.margin)
         json.member("margin", options.drawing.margin);
     if (options.drawing.layers) {

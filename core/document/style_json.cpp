@@ -6,9 +6,6 @@
 namespace kriva {
 namespace {
 
-constexpr double kScaleLow = 1e-12;
-constexpr double kScaleHigh = 1e9;
-
 const std::initializer_list<std::pair<std::string_view, LineDash>> kDashes = {{"solid", LineDash::solid},
                                                                               {"dashed", LineDash::dashed},
                                                                               {"dotted", LineDash::dotted},
@@ -54,7 +51,7 @@ void readView(const JsonNode& node, SheetView& view, std::span<const std::string
                 view.layers.emplace(name, isShown->trueOrFalse());
     }
     if (const JsonNode* scale = object.find("mmPerUnit"))
-        view.mmPerUnit = scale->number(kScaleLow, kScaleHigh);
+        view.mmPerUnit = scale->number(kLeastScale, kMostScale);
     if (const JsonNode* scale = object.find("combScale"))
         view.combScale = scale->number(kLeastCombScale, kMostCombScale);
     if (const JsonNode* points = object.find("polylinePoints"))

@@ -56,8 +56,9 @@ Figure figureUnder(const Sheet& sheet, SheetIndex index, const DrawingOptions& o
 Drawing drawn(Figure figure, const Box& box, const Document& document, SheetIndex sheet, const TextSource& texts,
               const DrawingOptions& options) {
     Drawing drawing;
-    drawing.page = options.width ? pageOfWidth(box, *options.width, options.margin)
-                                 : pageOf(box, document.sheets[sheet].view.mmPerUnit, options.margin);
+    const std::optional<double>& scale = options.mmPerUnit ? options.mmPerUnit : document.sheets[sheet].view.mmPerUnit;
+    drawing.page =
+        options.width ? pageOfWidth(box, *options.width, options.margin) : pageOf(box, scale, options.margin);
     drawing.layerTitles = titlesOf(figure, sheet, texts);
     drawing.figure = std::move(figure);
     drawing.title = document.title.empty() ? texts.translate(captionOf(sheet)) : document.title;

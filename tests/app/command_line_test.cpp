@@ -66,6 +66,25 @@ TEST(CommandLine, understandsHowAFigureIsToLook) {
     EXPECT_TRUE(usual.holdsDocument && usual.drawing.hasLabels);
 }
 
+TEST(CommandLine, takesAScaleInPlaceOfAWidth) {
+    EXPECT_EQ(std::get<ExportRequest>(parsed("export a -o b.svg --scale 2.5")).options.drawing.mmPerUnit, 2.5);
+    for (const char* line :
+         {"export a -o b.svg --scale 0", "export a -o b.svg --scale x", "export a -o b.svg --scale 2 --width 90mm"})
+        EXPECT_TRUE(isUsageError(line)) << line;
+}
+
+TEST(CommandLine, understandsFrames) {
+    const auto optionsOf = [](const char* line) { return std::get<ExportRequest>(parsed(line)).options; };
+    EXPECT_EQ(optionsOf("export a -o b.svg --frames 0..3").frames.size(), 4U);
+    EXPECT_EQ(optionsOf("export a -o b.svg --frames=t=0.5").frames.front(), (FramePlace{FramePlace::Over::t, 0.5}));
+    EXPECT_TRUE(optionsOf("export a -o b.svg --frames 1,2 --animate").isAnimated);
+    EXPECT_EQ(optionsOf("export a -o b.svg --frames 1,2 --animate --seconds 0.1").frameSeconds, 0.1);
+    EXPECT_TRUE(optionsOf("export a -o b.svg --outlines").hasOutlines);
+    for (const char* line : {"export a -o b.svg --frames", "export a -o b.svg --frames x",
+                             "export a -o b.svg --animate", "export a -o b.svg --frames 1 --animate --seconds 0"})
+        EXPECT_TRUE(isUsageError(line)) << line;
+}
+
 TEST(CommandLine, understandsImport) {
     const ImportRequest request =
         std::get<ImportRequest>(parsed("import a.svg - -o b.kriva --sheet combined --scale 0.5 --offset=-1,2.5"));

@@ -50,6 +50,17 @@ TEST_F(ExportDialogTest, showsTheFigureAsItsFileWillBe) {
     EXPECT_FALSE(options.drawing.hasLabels);
 }
 
+TEST_F(ExportDialogTest, takesAWidthOrAScale) {
+    test::click(test::saying<QCheckBox>(dialog_, "Own scale"));
+    test::type(test::named<NumberField>(dialog_, "Scale (mm for a unit)"), "2.5");
+    EXPECT_EQ(shown().page.mmPerUnit, 2.5);
+    EXPECT_EQ(dialog_.options().drawing.mmPerUnit, 2.5);
+    test::click(test::saying<QCheckBox>(dialog_, "&Own width"));
+    test::type(test::named<NumberField>(dialog_, "Width (mm)"), "80");
+    EXPECT_EQ(shown().page.width, 80);
+    EXPECT_EQ(dialog_.options().drawing.mmPerUnit, std::nullopt) << "one of them decides";
+}
+
 TEST_F(ExportDialogTest, hasTheLayersOfTheSheet) {
     auto& layers = test::named<QListWidget>(dialog_, "Layers");
     ASSERT_EQ(layers.count(), static_cast<int>(layersOf(sheet_).size()));

@@ -87,6 +87,7 @@ inline rc::Gen<Document> anyDocument() {
         written.format = *rc::gen::element(FigureFormat::svg, FigureFormat::pdf, FigureFormat::png, FigureFormat::tikz,
                                            FigureFormat::csv);
         written.drawing = {.width = *rc::gen::element<std::optional<double>>(std::nullopt, 120.5),
+                           .mmPerUnit = *rc::gen::element<std::optional<double>>(std::nullopt, 1.0 / 3),
                            .margin = *rc::gen::element(6.0, 0.0, 1.0 / 3),
                            .hasLabels = *rc::gen::arbitrary<bool>(),
                            .theme = *rc::gen::element(Theme::light, Theme::dark)};

@@ -1,6 +1,8 @@
 #include "core/bezier/evaluate.h"
 #include "core/bezier/nearest.h"
+#include "ui/document/safe_write.h"
 #include "ui/figures/caption_text.h"
+#include "ui/figures/figure_file.h"
 #include "ui/figures/picture_files.h"
 
 #include <gtest/gtest.h>
@@ -96,6 +98,61 @@ std::optional<QString> said(const char* program, const QStringList& arguments) {
     EXPECT_EQ(process.exitCode(), 0) << program;
     return QString::fromUtf8(process.readAllStandardOutput());
 }
+
+/// A drawing in a file of the folder, and what programs make of it at 300 dpi.
+class Rendered : public testing::TestWithParam<FigureFormat> {
+  protected:
+    static constexpr int kDpi = 300;
+
+    [[nodiscard]] QImage rendered(const Drawing& drawing) {
+        FigureFileOptions options;
+        options.format = GetParam();
+        const FigureFile file = drawingFile(drawing, options);
+        const QString name = QStringLiteral("a") + suffixOf(GetParam());
+        EXPECT_FALSE(safeWrite(folder_.filePath(name), std::get<QByteArray>(file)));
+        const QString dpi = QString::number(kDpi);
+        if (GetParam() == FigureFormat::svg)
+            run("rsvg-convert", {QStringLiteral("-d"), dpi, QStringLiteral("-p"), dpi, name, QStringLiteral("-o"),
+                                 QStringLiteral("a.png")});
+        if (GetParam() == FigureFormat::tikz)
+            run("pdflatex", {QStringLiteral("-interaction=batchmode"), name});
+        if (GetParam() == FigureFormat::tikz || GetParam() == FigureFormat::pdf)
+            run("pdftoppm", {QStringLiteral("-r"), dpi, QStringLiteral("-png"), QStringLiteral("-singlefile"),
+                             QStringLiteral("a.pdf"), QStringLiteral("a")});
+        return QImage(folder_.filePath(QStringLiteral("a.png")));
+    }
+    [[nodiscard]] static bool isInstalled() {
+        return GetParam() != FigureFormat::tikz ||
+               !QStandardPaths::findExecutable(QStringLiteral("pdflatex")).isEmpty();
+    }
+
+  private:
+    void run(const char* program, const QStringList& arguments) {
+        QProcess process;
+        process.setWorkingDirectory(folder_.path());
+        process.start(QLatin1String(program), arguments);
+        EXPECT_TRUE(process.waitForFinished(60'000));
+        EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+    }
+
+    QTemporaryDir folder_;
+};
+
+TEST_P(Rendered, liesWithinAPixelOfTheExactCurve) {
+    if (!isInstalled())
+        GTEST_SKIP() << "LaTeX is not installed";
+    for (const Points& curve : {kLoop, kOfDegreeSix}) {
+        const Drawing drawing = drawingOfCurve(curve);
+        const QImage picture = rendered(drawing);
+        ASSERT_FALSE(picture.isNull());
+        const Ink found = inkAlong(picture, drawing, curve, kDpi);
+        EXPECT_LE(found.distance, 1);
+        EXPECT_TRUE(found.isWhole);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(EachFormat, Rendered,
+                         testing::Values(FigureFormat::svg, FigureFormat::pdf, FigureFormat::png, FigureFormat::tikz));
 
 TEST(Pdf, isSoundWithItsFontsInsideAndItsWordsReadable) {
     Drawing drawing = drawingOfCurve(kLoop);

@@ -34,6 +34,8 @@ ExportDialog::ExportDialog(Document document, SheetIndex sheet, const FigureFile
     , format_(new QComboBox(this))
     , hasOwnWidth_(new QCheckBox(this))
     , width_(new NumberField(this))
+    , hasOwnScale_(new QCheckBox(this))
+    , scale_(new NumberField(this))
     , margin_(new NumberField(this))
     , size_(new QLabel(this))
     , theme_(new QComboBox(this))
@@ -69,6 +71,9 @@ void ExportDialog::fill(const FigureFileOptions& options) {
     width_->setRange({kLeastWidth, kMostWidth});
     width_->setValue(options.drawing.width.value_or(kLeastWidth)); // showDrawing() tells the figure's own
     hasOwnWidth_->setChecked(options.drawing.width.has_value());
+    scale_->setRange({kLeastScale, kMostScale});
+    scale_->setValue(options.drawing.mmPerUnit.value_or(1));
+    hasOwnScale_->setChecked(options.drawing.mmPerUnit.has_value() && !options.drawing.width);
     hasTexts_->setChecked(options.drawing.hasLabels);
     holdsDocument_->setChecked(options.holdsDocument);
     hasInkscapeLayers_->setChecked(options.hasInkscapeLayers);
@@ -89,9 +94,11 @@ void ExportDialog::fill(const FigureFileOptions& options) {
 
 void ExportDialog::layOut() {
     for (QWidget* field :
-         std::initializer_list<QWidget*>{format_, hasOwnWidth_, width_, margin_, size_, theme_, hasTexts_, layers_,
-                                         frames_, isAnimated_, frameSeconds_, holdsDocument_, hasInkscapeLayers_,
-                                         hasOutlines_, isRounded_, decimals_, dpi_, isTransparent_, isFragment_})
+         std::initializer_list<QWidget*>{format_,      hasOwnWidth_, width_,        hasOwnScale_,   scale_,
+                                         margin_,      size_,        theme_,        hasTexts_,      layers_,
+                                         frames_,      isAnimated_,  frameSeconds_, holdsDocument_, hasInkscapeLayers_,
+                                         hasOutlines_, isRounded_,   decimals_,     dpi_,           isTransparent_,
+                                         isFragment_})
         addRow(field);
     auto* fields = new QVBoxLayout;
     fields->addLayout(form_);
@@ -128,9 +135,14 @@ void ExportDialog::connectFields() {
     connect(theme_, &QComboBox::currentIndexChanged, this, &ExportDialog::showDrawing);
     connect(layers_, &QListWidget::itemChanged, this, &ExportDialog::showDrawing);
     connect(frames_, &QLineEdit::editingFinished, this, &ExportDialog::showFormat);
-    for (QCheckBox* box : {hasOwnWidth_, hasTexts_, isAnimated_, isRounded_, isTransparent_})
+    // One of them decides.
+    connect(hasOwnWidth_, &QCheckBox::toggled, this,
+            [this](bool on) { hasOwnScale_->setChecked(hasOwnScale_->isChecked() && !on); });
+    connect(hasOwnScale_, &QCheckBox::toggled, this,
+            [this](bool on) { hasOwnWidth_->setChecked(hasOwnWidth_->isChecked() && !on); });
+    for (QCheckBox* box : {hasOwnWidth_, hasOwnScale_, hasTexts_, isAnimated_, isRounded_, isTransparent_})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::showFormat);
-    for (NumberField* field : {width_, margin_, frameSeconds_, decimals_, dpi_})
+    for (NumberField* field : {width_, scale_, margin_, frameSeconds_, decimals_, dpi_})
         connect(field, &NumberField::valueCommitted, this, &ExportDialog::showDrawing);
     connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -156,6 +168,7 @@ void ExportDialog::retranslateUi() {
         layers_->item(i)->setText(captionText(layersOf(sheet_)[static_cast<std::size_t>(i)].caption));
     setRowText(format_, tr("&Format"));
     setRowText(width_, tr("&Width (mm)"));
+    setRowText(scale_, tr("Scale (mm for a unit)"));
     setRowText(margin_, tr("&Margin (mm)"));
     setRowText(size_, tr("Page"));
     setRowText(theme_, tr("&Colours"));
@@ -168,6 +181,7 @@ void ExportDialog::retranslateUi() {
     isAnimated_->setText(tr("A&nimated"));
     hasOwnWidth_->setText(tr("&Own width"));
     hasTexts_->setText(tr("Text&s in the figure"));
+    hasOwnScale_->setText(tr("Own scale"));
     holdsDocument_->setText(tr("The document &goes along, to open the file again"));
     hasInkscapeLayers_->setText(tr("Layers for &Inkscape"));
     hasOutlines_->setText(tr("O&utlines in place of letters"));
@@ -188,8 +202,8 @@ void ExportDialog::setRowText(QWidget* field, const QString& text) {
 void ExportDialog::showFormat() {
     const FigureFormat shown = format();
     const bool isFigure = shown != FigureFormat::csv;
-    for (QWidget* field :
-         std::initializer_list<QWidget*>{hasOwnWidth_, width_, margin_, size_, theme_, hasTexts_, layers_})
+    for (QWidget* field : std::initializer_list<QWidget*>{hasOwnWidth_, width_, hasOwnScale_, scale_, margin_, size_,
+                                                          theme_, hasTexts_, layers_})
         form_->setRowVisible(field, isFigure);
     form_->setRowVisible(frames_, isFigure && hasFrames());
     const bool mayBeAnimated = shown == FigureFormat::svg && !frames_->text().trimmed().isEmpty() && hasFrames();
@@ -202,6 +216,7 @@ void ExportDialog::showFormat() {
     form_->setRowVisible(isTransparent_, shown == FigureFormat::png);
     form_->setRowVisible(isFragment_, shown == FigureFormat::tikz);
     width_->setEnabled(hasOwnWidth_->isChecked());
+    scale_->setEnabled(hasOwnScale_->isChecked());
     decimals_->setEnabled(isRounded_->isChecked());
     showDrawing();
 }
@@ -215,6 +230,8 @@ void ExportDialog::showDrawing() {
     size_->setText(tr("%1 × %2 mm").arg(locale.toString(page.width, 'g', 4), locale.toString(page.height, 'g', 4)));
     if (!hasOwnWidth_->isChecked())
         width_->setValue(page.width);
+    if (!hasOwnScale_->isChecked())
+        scale_->setValue(page.mmPerUnit);
     preview_->setDrawing(std::move(drawing));
 }
 
@@ -248,6 +265,8 @@ FigureFileOptions ExportDialog::options() const {
     // A page is wider than its margins.
     if (hasOwnWidth_->isChecked())
         options.drawing.width = std::max(width_->value(), 2 * margin_->value() + kLeastWidth);
+    if (hasOwnScale_->isChecked())
+        options.drawing.mmPerUnit = scale_->value();
     options.drawing.layers = checkedLayers();
     options.drawing.hasLabels = hasTexts_->isChecked();
     options.drawing.theme = theme_->currentIndex() == 1 ? Theme::dark : Theme::light;

@@ -50,6 +50,8 @@ class ExportDialog : public QDialog {
     QComboBox* format_;
     QCheckBox* hasOwnWidth_;
     NumberField* width_;
+    QCheckBox* hasOwnScale_;
+    NumberField* scale_;
     NumberField* margin_;
     QLabel* size_;
     QComboBox* theme_;
