@@ -1,3 +1,4 @@
+#include "core/io/open.h"
 #include "tests/support/panel_test.h"
 #include "ui/figures/caption_text.h"
 #include "ui/shell/export/export_dialog.h"
@@ -148,6 +149,20 @@ TEST_F(FigureExportTest, copiesTikzToBePutIntoADocument) {
     const QString text = QGuiApplication::clipboard()->text();
     EXPECT_TRUE(text.contains(QStringLiteral("\\begin{tikzpicture}")));
     EXPECT_FALSE(text.contains(QStringLiteral("\\documentclass")));
+}
+
+TEST_F(ExportDialogTest, remembersItsOptionsInTheDocumentWithoutModifyingIt) {
+    FigureFileOptions options;
+    options.drawing.width = 77;
+    options.hasOutlines = true;
+    document().setExported(sheet_, options);
+    EXPECT_FALSE(document().isModified());
+    shell.window.findChild<QAction*>(QStringLiteral("copyFigure"))->trigger();
+    const QByteArray svg = QGuiApplication::clipboard()->mimeData()->data(QStringLiteral("image/svg+xml"));
+    EXPECT_TRUE(svg.contains("width=\"77mm\""));
+    EXPECT_FALSE(svg.contains("<text"));
+    const auto read = readAnyDocument(svg.toStdString());
+    EXPECT_EQ(std::get<Document>(read).sheets[sheet_].view.exported, options);
 }
 
 } // namespace
