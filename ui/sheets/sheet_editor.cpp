@@ -181,8 +181,8 @@ void SheetEditor::addCurve(Curve curve, const StepLabel& label) {
     document().add(index(), static_cast<int>(sheet().curves.size()), std::move(curve), label);
 }
 
-void SheetEditor::addCurves(std::vector<Curve> curves, const StepLabel& label) {
-    document().addAll(index(), std::move(curves), label);
+bool SheetEditor::addCurves(std::vector<Curve> curves, const StepLabel& label) {
+    return document().addAll(index(), std::move(curves), label);
 }
 
 void SheetEditor::duplicateCurve(Serial serial) {

@@ -49,8 +49,8 @@ class SheetEditor : public ShownSheet {
     void newCurve();
     /// Above the others.
     void addCurve(Curve curve, const StepLabel& label);
-    /// In one step.
-    void addCurves(std::vector<Curve> curves, const StepLabel& label);
+    /// In one step; false where they are refused.
+    bool addCurves(std::vector<Curve> curves, const StepLabel& label);
     void duplicateCurve(Serial serial);
     void deleteCurve(Serial serial);
     void deleteCurve(Serial serial, const StepLabel& label);

@@ -78,6 +78,8 @@ class SvgPaths {
     [[nodiscard]] pugi::xml_node named(std::string_view id);
     /// A length of an element, `otherwise` where it is missing; nothing where it cannot be read, which is told.
     std::optional<double> length(const pugi::xml_node& element, const char* name, double whole, double otherwise);
+    /// Its x, y, width and height, by default those of the viewport around it; nothing where one cannot be read.
+    std::optional<ViewBox> placeOf(const pugi::xml_node& element, const SvgViewport& around);
     /// Nothing where there is none; false where it cannot be read.
     bool viewBoxOf(const pugi::xml_node& element, std::optional<ViewBox>& box);
 
@@ -152,31 +154,23 @@ bool SvgPaths::use(const pugi::xml_node& element, Place place) {
         return true; // elsewhere, or nowhere: it draws nothing
     if (++place.uses > limits::kSvgUses)
         return refuse(tooMany(FileProblem::nestedTooDeep, limits::kSvgUses));
-    const SvgViewport& viewport = place.viewport;
-    const auto x = length(element, "x", viewport.width, 0);
-    const auto y = length(element, "y", viewport.height, 0);
-    const auto width = length(element, "width", viewport.width, viewport.width);
-    const auto height = length(element, "height", viewport.height, viewport.height);
-    if (!x || !y || !width || !height)
+    const std::optional<ViewBox> own = placeOf(element, place.viewport);
+    if (!own)
         return false;
-    place.map = place.map * translation({*x, *y});
+    place.map = place.map * translation({own->x, own->y});
     const std::string_view name = nameOf(target).local;
     if (name != "symbol")
         return this->element(target, std::move(place));
-    return nested(target, std::move(place), SvgViewport{*width, *height});
+    return nested(target, std::move(place), SvgViewport{own->width, own->height});
 }
 
 bool SvgPaths::nested(const pugi::xml_node& element, Place place, std::optional<SvgViewport> size) {
-    const SvgViewport outer = place.viewport;
     if (!size) {
-        const auto x = length(element, "x", outer.width, 0);
-        const auto y = length(element, "y", outer.height, 0);
-        const auto width = length(element, "width", outer.width, outer.width);
-        const auto height = length(element, "height", outer.height, outer.height);
-        if (!x || !y || !width || !height)
+        const std::optional<ViewBox> own = placeOf(element, place.viewport);
+        if (!own)
             return false;
-        place.map = place.map * translation({*x, *y});
-        size = SvgViewport{*width, *height};
+        place.map = place.map * translation({own->x, own->y});
+        size = SvgViewport{own->width, own->height};
     }
     place.viewport = *size;
     std::optional<ViewBox> box;
@@ -250,6 +244,16 @@ std::optional<double> SvgPaths::length(const pugi::xml_node& element, const char
     if (!read)
         refuse(element, name);
     return read;
+}
+
+std::optional<ViewBox> SvgPaths::placeOf(const pugi::xml_node& element, const SvgViewport& around) {
+    const auto x = length(element, "x", around.width, 0);
+    const auto y = length(element, "y", around.height, 0);
+    const auto width = length(element, "width", around.width, around.width);
+    const auto height = length(element, "height", around.height, around.height);
+    if (!x || !y || !width || !height)
+        return {};
+    return ViewBox{*x, *y, *width, *height};
 }
 
 bool SvgPaths::viewBoxOf(const pugi::xml_node& element, std::optional<ViewBox>& box) {

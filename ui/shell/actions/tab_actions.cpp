@@ -42,7 +42,10 @@ SheetEditor& TabActions::editor() const {
 }
 
 void TabActions::connectOutlets() {
-    connect(actions_.importPoints, &QAction::triggered, this, [this] { importPoints(editor(), &window_); });
+    connect(actions_.importPoints, &QAction::triggered, this, [this] {
+        if (importPoints(editor(), &window_))
+            window_.currentTab().canvas().fitAll();
+    });
     connect(actions_.exportFigure, &QAction::triggered, this, [this] {
         window_.document().endGesture();
         export_.ask(editor(), window_.session().name());

@@ -23,13 +23,14 @@ class PointsImport {
 
 } // namespace
 
-void importPoints(SheetEditor& editor, QWidget* window) {
+bool importPoints(SheetEditor& editor, QWidget* window) {
     editor.document().endGesture();
     const QString path = QFileDialog::getOpenFileName(window, PointsImport::title(), {}, PointsImport::filters());
     if (path.isEmpty())
-        return;
+        return false;
     const auto refuse = [window](const QString& sentence) {
         QMessageBox(QMessageBox::Critical, PointsImport::failure(), sentence, QMessageBox::Ok, window).exec();
+        return false;
     };
     const auto bytes = boundedRead(path);
     if (const ReadError* error = std::get_if<ReadError>(&bytes))
@@ -38,8 +39,9 @@ void importPoints(SheetEditor& editor, QWidget* window) {
     if (const QString* refusal = std::get_if<QString>(&read))
         return refuse(QStringLiteral("%1: %2").arg(path, *refusal));
     ImportDialog dialog(std::get<std::vector<ImportedPath>>(std::move(read)), editor.index(), window);
-    if (dialog.exec() == QDialog::Accepted)
-        editor.addCurves(dialog.curves(), {QT_TRANSLATE_NOOP("Step", "Import curves")});
+    if (dialog.exec() != QDialog::Accepted)
+        return false;
+    return editor.addCurves(dialog.curves(), {QT_TRANSLATE_NOOP("Step", "Import curves")});
 }
 
 } // namespace kriva::ui
