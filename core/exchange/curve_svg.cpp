@@ -21,10 +21,12 @@ Figure bareFigure(const Curve& curve) {
 Path withCubics(const Path& path, Tolerance tolerance) {
     std::vector<Points> pieces;
     forEachPiece(path, [&](std::span<const Point> piece) {
-        if (piece.size() <= 4)
-            return pieces.push_back({piece.begin(), piece.end()});
+        if (piece.size() <= 4) {
+            pieces.emplace_back(piece.begin(), piece.end());
+            return;
+        }
         for (const Cubic& cubic : cubicPieces(piece, tolerance))
-            pieces.push_back({cubic.begin(), cubic.end()});
+            pieces.emplace_back(cubic.begin(), cubic.end());
     });
     return chain(pieces, path.isClosed);
 }

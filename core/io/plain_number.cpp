@@ -73,7 +73,8 @@ char* writeUnits(char* to, double value) {
     const double product = std::abs(value) * static_cast<double>(kUnit);
     if (!(product < kMost))
         return writeExactly(to, value, decimals);
-    const auto units = static_cast<std::uint64_t>(static_cast<std::int64_t>(product + 0.5));
+    const double raised = product + 0.5; // cut off below: the library's rounding takes as long as all the rest
+    const auto units = static_cast<std::uint64_t>(static_cast<std::int64_t>(raised));
     if (std::abs(product - static_cast<double>(static_cast<std::int64_t>(units))) > 0.5 - kOff)
         return writeExactly(to, value, decimals);
     *to = '-';

@@ -13,6 +13,8 @@ class Errors {
     Q_DECLARE_TR_FUNCTIONS(Errors)
   public:
     static QString reason(const FileError& error);
+    /// What only files of XML have.
+    static QString xmlReason(const FileError& error);
     static QString fault(const ReadError& error, const QString& path);
     static QString fault(const WriteError& error, const QString& path);
     static QString atLine(const FileError& error) { return tr("line %1, column %2").arg(error.line).arg(error.column); }
@@ -77,6 +79,13 @@ QString Errors::reason(const FileError& error) {
         return tr("the file is larger than %1 bytes").arg(number(error, 0));
     case FileProblem::noDocumentInside:
         return tr("this figure has no document of Kriva inside");
+    default:
+        return xmlReason(error);
+    }
+}
+
+QString Errors::xmlReason(const FileError& error) {
+    switch (error.problem) {
     case FileProblem::notXml:
         return tr("this is no XML");
     case FileProblem::internalSubset:
@@ -91,8 +100,9 @@ QString Errors::reason(const FileError& error) {
         return tr("the attribute “%1” cannot be read").arg(words(error));
     case FileProblem::noPaths:
         return tr("there is no path to import");
+    default:
+        return {};
     }
-    return {};
 }
 
 QString Errors::fault(const ReadError& error, const QString& path) {

@@ -14,7 +14,6 @@
 namespace kriva::ui {
 namespace {
 
-constexpr double kMillimetresPerInch = 25.4;
 constexpr double kInchesPerMetre = 1 / 0.0254;
 constexpr int kPdfResolution = 7200; // dots per inch, what Qt counts a page in: 0.0035 mm
 

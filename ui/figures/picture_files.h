@@ -8,6 +8,7 @@
 /// Figures in the formats that Qt writes, made in memory.
 namespace kriva::ui {
 
+inline constexpr double kMillimetresPerInch = 25.4;
 inline constexpr int kMostPixels = 16'384; ///< of a side of a PNG
 
 /// Of a page at so many dots per inch, each side at least 1.

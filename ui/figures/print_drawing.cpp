@@ -1,6 +1,7 @@
 #include "ui/figures/print_drawing.h"
 
 #include "ui/figures/drawing_painter.h"
+#include "ui/figures/picture_files.h"
 
 #include <QPainter>
 #include <QPrinter>
@@ -10,7 +11,6 @@
 namespace kriva::ui {
 
 void printDrawing(QPrinter& printer, const Drawing& drawing, const TextSource& texts) {
-    constexpr double kMillimetresPerInch = 25.4;
     const QRectF paper = printer.pageLayout().paintRect(QPageLayout::Millimeter);
     const Page& page = drawing.page;
     const double size = std::min({1.0, paper.width() / page.width, paper.height() / page.height});
