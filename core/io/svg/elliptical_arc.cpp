@@ -27,8 +27,14 @@ CircleArc onCircle(const EllipticalArc& arc, Point from, Point to) {
     const double sine = std::sin(angle);
     double rx = std::abs(arc.radiusX);
     double ry = std::abs(arc.radiusY);
-    // Half of the chord in the ellipse's own axes, where the ellipse is the unit circle.
     const Vector half = 0.5 * (from - to);
+    // Radii that do not even span the chord are enlarged at once, so that nothing overflows below.
+    const double least = length(half) / std::max(rx, ry);
+    if (least > 1) {
+        rx *= least;
+        ry *= least;
+    }
+    // Half of the chord in the ellipse's own axes, where the ellipse is the unit circle.
     Vector onUnit{(cosine * half.x + sine * half.y) / rx, (cosine * half.y - sine * half.x) / ry};
     const double reach = length(onUnit);
     if (reach > 1) {
@@ -54,6 +60,17 @@ CircleArc onCircle(const EllipticalArc& arc, Point from, Point to) {
     return result;
 }
 
+} // namespace
+
+bool isLine(const EllipticalArc& arc) {
+    constexpr double kFlat = 1e-12; // of the larger radius: flatter than doubles tell
+    const double rx = std::abs(arc.radiusX);
+    const double ry = std::abs(arc.radiusY);
+    return std::min(rx, ry) <= kFlat * std::max(rx, ry);
+}
+
+namespace {
+
 /// A bound of the distance of the usual cubic from an arc of so much of the unit circle.
 double deviationOf(double sweep) {
     const double s = std::sin(sweep / 4);
@@ -64,7 +81,7 @@ double deviationOf(double sweep) {
 } // namespace
 
 std::vector<std::array<Point, 4>> cubicsOf(const EllipticalArc& arc, Point from, Point to) {
-    if (from == to || arc.radiusX == 0 || arc.radiusY == 0)
+    if (from == to || isLine(arc))
         return {};
     const CircleArc circle = onCircle(arc, from, to);
     int count = std::max(1, static_cast<int>(std::ceil(std::abs(circle.sweep) / (std::numbers::pi / 2) - 1e-9)));

@@ -19,8 +19,11 @@ struct EllipticalArc {
 /// How far the cubics of an arc may be from it, by its larger radius.
 inline constexpr double kArcTolerance = 1e-6;
 
+/// Whether a radius is 0, or as good as 0 beside the other one.
+[[nodiscard]] bool isLine(const EllipticalArc& arc);
+
 /// Cubics within kArcTolerance of the arc, joined end to end with its tangents; the ends are met bit for bit. Radii
-/// that are too small are enlarged; nothing where the ends are one place or a radius is 0 (then it is no arc).
+/// that are too small are enlarged; nothing where the ends are one place or isLine().
 /// Source: SVG 1.1, appendix F.6; the cubics, Goldapp, Approximation of circular arcs by cubic polynomials,
 /// CAGD 8 (1991).
 [[nodiscard]] std::vector<std::array<Point, 4>> cubicsOf(const EllipticalArc& arc, Point from, Point to);

@@ -5,6 +5,7 @@
 #include "core/io/svg/svg_scanner.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace kriva {
@@ -28,6 +29,9 @@ class PathReader {
     }
 
   private:
+    /// Far beyond all that can be drawn, so that relative coordinates never leave the range of doubles.
+    static constexpr double kMostNumber = 1e100;
+
     /// What a shorthand mirrors: the last control point of a command of its own kind.
     enum class Kind { other, quadratic, cubic };
 
@@ -98,7 +102,7 @@ class PathReader {
         std::array<double, count> numbers{};
         for (double& number : numbers) {
             const std::optional<double> read = scanner_.number();
-            if (!read)
+            if (!read || std::abs(*read) > kMostNumber)
                 return false;
             number = *read;
         }

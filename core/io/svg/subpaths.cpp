@@ -10,7 +10,7 @@ void Subpaths::moveTo(Point to) {
 }
 
 void Subpaths::arcTo(const EllipticalArc& arc, Point to) {
-    if (arc.radiusX == 0 || arc.radiusY == 0)
+    if (isLine(arc))
         return lineTo(to);
     for (const auto& cubic : cubicsOf(arc, at_, to))
         cubicTo(cubic[1], cubic[2], cubic[3]);

@@ -12,7 +12,7 @@ class Subpaths {
     void lineTo(Point to) { add({to}); }
     void quadraticTo(Point control, Point to) { add({control, to}); }
     void cubicTo(Point first, Point second, Point to) { add({first, second, to}); }
-    /// A line where a radius is 0.
+    /// A line where it is one.
     void arcTo(const EllipticalArc& arc, Point to);
     /// Goes back to where the subpath began, by a line where it is not there already.
     void close();

@@ -75,6 +75,7 @@ TEST(PathReader, namesTheFirstFault) {
     EXPECT_EQ(columnOfFault("M1 1zz9"), 7);
     EXPECT_EQ(columnOfFault("M1 1L1 nan"), 8);
     EXPECT_EQ(columnOfFault("M1 1L1 1e999"), 8);
+    EXPECT_GT(columnOfFault("M1 1L1 1e200"), 0) << "beyond all that can be drawn";
     EXPECT_EQ(columnOfFault("M0 0A1 1 0 2 0 1 1"), 12);
     EXPECT_EQ(columnOfFault("M0 0L+-1 0"), 6);
     const auto later = readPathData("M0 0\nL1 1\nL1");
@@ -106,6 +107,8 @@ TEST(PathReader, drawsArcsAsTheStandardSays) {
     expectMiddle("M1 0A1 1 0 0 1 -1 0", {0, 1});
     expectMiddle("M1 0A1 1 0 0 0 -1 0", {0, -1});
     expectMiddle("M1 0A.1 .1 0 0 1 -1 0", {0, 1}); // too small a radius
+    expectMiddle("M1 0A1e-300 1e-300 0 0 1 -1 0", {0, 1});
+    EXPECT_EQ(read("M1 0A1 1e-300 0 0 1 -1 0"), read("M1 0L-1 0")) << "as flat as a line";
     expectMiddle("M2 0a2 1 0 1 1 -4 0", {0, 1});
     expectMiddle("M0 2a2 1 90 0 0 0 -4", {1, 0}); // turned
 }
