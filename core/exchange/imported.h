@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "core/io/svg/svg_paths.h"
+#include "core/io/svg/paths/svg_paths.h"
 
 namespace kriva {
 

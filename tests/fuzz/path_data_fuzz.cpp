@@ -1,5 +1,5 @@
 #include "core/document/limits.h"
-#include "core/io/svg/path_reader.h"
+#include "core/io/svg/paths/path_reader.h"
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #include "ui/exchange/import_text.h"
 
-#include "core/io/svg/path_reader.h"
+#include "core/io/svg/paths/path_reader.h"
 #include "ui/document/error_text.h"
 #include "ui/exchange/points_table.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/svg/svg_paths.h"
+#include "core/io/svg/paths/svg_paths.h"
 
 #include <QByteArray>
 #include <QString>

@@ -1,7 +1,7 @@
 // A path of 100,000 cubics as an SVG file and back: as Kriva writes it, exactly and with three decimals, beside Qt's
 // own generator.
 
-#include "core/io/svg/svg_paths.h"
+#include "core/io/svg/paths/svg_paths.h"
 #include "core/io/svg/svg_writer.h"
 #include "tests/support/data_sets.h"
 

@@ -1,7 +1,7 @@
 #include "core/document/document_json.h"
 #include "core/io/drawn_pieces.h"
 #include "core/io/open.h"
-#include "core/io/svg/svg_paths.h"
+#include "core/io/svg/paths/svg_paths.h"
 #include "core/io/svg/svg_writer.h"
 #include "tests/support/any_document.h"
 

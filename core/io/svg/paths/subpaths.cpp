@@ -1,4 +1,4 @@
-#include "core/io/svg/subpaths.h"
+#include "core/io/svg/paths/subpaths.h"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/figure/figure.h"
-#include "core/io/svg/elliptical_arc.h"
+#include "core/io/svg/paths/elliptical_arc.h"
 
 namespace kriva {
 

@@ -1,4 +1,4 @@
-#include "core/io/svg/elliptical_arc.h"
+#include "core/io/svg/paths/elliptical_arc.h"
 
 #include "core/geometry/affine.h"
 

@@ -1,10 +1,10 @@
-#include "core/io/svg/svg_paths.h"
+#include "core/io/svg/paths/svg_paths.h"
 
 #include "core/document/limits.h"
+#include "core/io/svg/paths/svg_scanner.h"
+#include "core/io/svg/paths/svg_shapes.h"
+#include "core/io/svg/paths/svg_transform.h"
 #include "core/io/svg/svg_namespace.h"
-#include "core/io/svg/svg_scanner.h"
-#include "core/io/svg/svg_shapes.h"
-#include "core/io/svg/svg_transform.h"
 #include "core/io/svg/svg_xml.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include "core/io/svg/svg_transform.h"
+#include "core/io/svg/paths/svg_transform.h"
 
-#include "core/io/svg/svg_scanner.h"
+#include "core/io/svg/paths/svg_scanner.h"
 
 #include <cmath>
 #include <numbers>

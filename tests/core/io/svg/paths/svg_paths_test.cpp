@@ -1,5 +1,5 @@
 #include "core/document/limits.h"
-#include "core/io/svg/svg_paths.h"
+#include "core/io/svg/paths/svg_paths.h"
 
 #include <gtest/gtest.h>
 

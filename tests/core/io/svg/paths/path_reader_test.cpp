@@ -1,7 +1,7 @@
 #include "core/bezier/evaluate.h"
 #include "core/document/limits.h"
-#include "core/io/svg/elliptical_arc.h"
-#include "core/io/svg/path_reader.h"
+#include "core/io/svg/paths/elliptical_arc.h"
+#include "core/io/svg/paths/path_reader.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

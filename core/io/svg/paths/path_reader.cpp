@@ -1,8 +1,8 @@
-#include "core/io/svg/path_reader.h"
+#include "core/io/svg/paths/path_reader.h"
 
 #include "core/document/limits.h"
-#include "core/io/svg/subpaths.h"
-#include "core/io/svg/svg_scanner.h"
+#include "core/io/svg/paths/subpaths.h"
+#include "core/io/svg/paths/svg_scanner.h"
 
 #include <array>
 #include <cmath>

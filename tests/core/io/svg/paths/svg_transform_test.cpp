@@ -1,4 +1,4 @@
-#include "core/io/svg/svg_transform.h"
+#include "core/io/svg/paths/svg_transform.h"
 
 #include <gtest/gtest.h>
 

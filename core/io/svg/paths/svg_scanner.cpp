@@ -1,4 +1,4 @@
-#include "core/io/svg/svg_scanner.h"
+#include "core/io/svg/paths/svg_scanner.h"
 
 #include <charconv>
 #include <cmath>
