@@ -1,8 +1,6 @@
 #include "app/commands/export_command.h"
 
 #include "app/commands/streams.h"
-#include "ui/document/document_file.h"
-#include "ui/document/error_text.h"
 #include "ui/figures/figure_file.h"
 
 #include <QCoreApplication>
@@ -77,15 +75,14 @@ ExitCode refused(const QString& sentence, ExitCode code) {
 }
 
 ExitCode exportOne(const QString& file, const ExportRequest& request) {
-    const auto loaded = ui::documentFrom(readInput(file));
-    if (const ui::OpenError* error = std::get_if<ui::OpenError>(&loaded))
-        return refused(errorText(*error, file), ExitCode::refused);
-    const Document& document = std::get<Document>(loaded);
-    const std::optional<SheetIndex> sheet = sheetToDraw(document, request.sheet);
+    const std::optional<Document> document = openDocument(file);
+    if (!document)
+        return ExitCode::refused;
+    const std::optional<SheetIndex> sheet = sheetToDraw(*document, request.sheet);
     if (!sheet)
         return refused(Export::nothingToDraw(file), ExitCode::failure);
     const DrawingOptions& drawing = request.options.drawing;
-    const std::size_t curves = document.sheets[*sheet].curves.size();
+    const std::size_t curves = document->sheets[*sheet].curves.size();
     if (drawing.curve.value_or(0) >= curves)
         return refused(Export::noSuchCurve(file, *drawing.curve, curves), ExitCode::usage);
     if (const QString fault = layerFault(drawing, *sheet); !fault.isEmpty())
@@ -93,8 +90,8 @@ ExitCode exportOne(const QString& file, const ExportRequest& request) {
     const QString output = outputFor(request.output, file, *sheet);
     const bool isNumbered = output.contains(kFrame) && !request.options.frames.empty();
     const std::vector<ui::FigureFile> made = isNumbered
-                                                 ? ui::frameFiles(document, *sheet, request.options)
-                                                 : std::vector{ui::figureFile(document, *sheet, request.options)};
+                                                 ? ui::frameFiles(*document, *sheet, request.options)
+                                                 : std::vector{ui::figureFile(*document, *sheet, request.options)};
     for (std::size_t i = 0; i < made.size(); ++i) {
         if (const ui::FigureFault* fault = std::get_if<ui::FigureFault>(&made[i]))
             return refused(QStringLiteral("%1: %2").arg(file, faultText(*fault)), ExitCode::failure);

@@ -1,7 +1,7 @@
 #include "app/commands/report_command.h"
 
+#include "app/commands/streams.h"
 #include "core/document/report.h"
-#include "ui/document/document_file.h"
 #include "ui/document/error_text.h"
 #include "ui/figures/caption_text.h"
 #include "ui/panels/result_text.h"
@@ -60,20 +60,17 @@ QString reportTable(const Document& document, std::optional<SheetIndex> only) {
 }
 
 ExitCode report(const ReportRequest& request) {
-    const auto loaded = ui::loadDocument(request.file);
-    if (const ui::OpenError* error = std::get_if<ui::OpenError>(&loaded)) {
-        printError(errorText(*error, request.file));
+    const std::optional<Document> document = openDocument(request.file);
+    if (!document)
         return ExitCode::refused;
-    }
-    const Document& document = std::get<Document>(loaded);
-    if (const std::optional<FileError> error = reportLimitError(document, request.sheet)) {
+    if (const std::optional<FileError> error = reportLimitError(*document, request.sheet)) {
         printError(errorText(ui::OpenError(*error), request.file));
         return ExitCode::refused;
     }
     if (!request.isJson)
-        return printOut(reportTable(document, request.sheet).toUtf8());
+        return printOut(reportTable(*document, request.sheet).toUtf8());
     const std::string name = QFileInfo(request.file).fileName().toStdString();
-    const auto json = reportJson(document, name, request.sheet);
+    const auto json = reportJson(*document, name, request.sheet);
     return printOut(QByteArray::fromStdString(std::get<std::string>(json)));
 }
 

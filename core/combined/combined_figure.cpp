@@ -17,7 +17,7 @@ constexpr std::array kLayers{
     LayerInfo{"given-polygon", Caption::givenPolygon},
     LayerInfo{"run-polygons", Caption::runPolygons, false, true, kRuns},
     LayerInfo{"polynomials", Caption::polynomials, false, true, kPolynomials},
-    LayerInfo{"curve", Caption::curve, true, false, kWhole},
+    LayerInfo{kCurveLayer, Caption::curve, true, false, kWhole},
     LayerInfo{"runs", Caption::runs, true, true, kJoins},
     LayerInfo{"joins", Caption::joins, true, true, kJoins},
     LayerInfo{"middle-points", Caption::middlePoints, true, true, kJoins},
@@ -65,7 +65,7 @@ Layer curveLayer(const CombinedCurve& curve, const Combined& combined, int index
     PathBuilder builder;
     for (const PathPiece& piece : combined.path)
         addPiece(combined, piece, builder);
-    Layer layer{"curve"};
+    Layer layer{kCurveLayer};
     for (Path& path : std::move(builder).take())
         layer.strokes.push_back({std::move(path), Role::curve, 0, 1, curve.style, index});
     return layer;

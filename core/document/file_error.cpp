@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace kriva {
 
@@ -16,6 +17,13 @@ void appendPosition(std::string& place, std::size_t position) {
     char digits[24];
     const auto end = std::to_chars(digits, digits + sizeof digits, position).ptr;
     place.append("[").append(digits, end).append("]");
+}
+
+FileError errorOfFile(FileProblem problem, std::vector<double> numbers) {
+    FileError error;
+    error.problem = problem;
+    error.numbers = std::move(numbers);
+    return error;
 }
 
 FileError errorAtByte(FileProblem problem, std::string_view text, std::size_t byte) {

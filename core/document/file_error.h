@@ -55,6 +55,9 @@ struct FileError {
 void appendKey(std::string& place, std::string_view key);
 void appendPosition(std::string& place, std::size_t position);
 
+/// A problem of a file as a whole.
+[[nodiscard]] FileError errorOfFile(FileProblem problem, std::vector<double> numbers = {});
+
 /// A problem at a byte of a text: its line and its column, which counts bytes.
 [[nodiscard]] FileError errorAtByte(FileProblem problem, std::string_view text, std::size_t byte);
 

@@ -13,7 +13,7 @@ constexpr std::array kLayers{
     LayerInfo{"control-polygon", Caption::controlPolygon},
     LayerInfo{"elevated-polygon", Caption::elevatedPolygon, true, true},
     LayerInfo{"end-tangents", Caption::endTangents, false, true},
-    LayerInfo{"curve", Caption::curve},
+    LayerInfo{kCurveLayer, Caption::curve},
     LayerInfo{"points", Caption::points},
     LayerInfo{"labels", Caption::labels, true, true},
 };
@@ -43,7 +43,7 @@ Figure figureOf(const ElevationCurve& curve, const FigureContext& context) {
         figure.layers.push_back(endTangentsLayer(curve.points));
     if (!isIncomplete(curve))
         figure.layers.push_back(
-            {"curve", {{singleCurve(curve.points), Role::curve, 0, 1, curve.style, context.curve}}});
+            {kCurveLayer, {{singleCurve(curve.points), Role::curve, 0, 1, curve.style, context.curve}}});
     figure.layers.push_back({"points", {}, {{curve.points, Role::point}}});
     figure.layers.push_back({"labels", {}, {}, indexedLabels("b", curve.points)});
     return figure;

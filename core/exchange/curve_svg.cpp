@@ -13,7 +13,7 @@ namespace {
 /// The curve without what is derived from it; no layer where there is nothing to draw.
 Figure bareFigure(const Curve& curve) {
     Figure figure = figureOf(curve, {0, false});
-    std::erase_if(figure.layers, [](const Layer& layer) { return layer.name != "curve" || layer.strokes.empty(); });
+    std::erase_if(figure.layers, [](const Layer& layer) { return layer.name != kCurveLayer || layer.strokes.empty(); });
     return figure;
 }
 

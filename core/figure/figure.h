@@ -129,6 +129,9 @@ struct Layer {
     friend bool operator==(const Layer&, const Layer&) = default;
 };
 
+/// The layer with the curves themselves, in every sheet.
+inline constexpr std::string_view kCurveLayer = "curve";
+
 /// Layers from the lowest to the topmost, in the order of the sheet's table.
 struct Figure {
     std::vector<Layer> layers;

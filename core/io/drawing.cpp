@@ -106,7 +106,9 @@ void move(Figure& figure, Vector by) {
 Drawing drawingOf(const Document& document, SheetIndex sheet, const TextSource& texts, const DrawingOptions& options) {
     Figure figure = figureUnder(chosen(document.sheets[sheet], sheet, options), sheet, options);
     const Box box = boxOf(figure);
-    return drawn(std::move(figure), box, document, sheet, texts, options);
+    Drawing drawing = drawn(std::move(figure), box, document, sheet, texts, options);
+    drawing.sheet = sheet;
+    return drawing;
 }
 
 std::optional<std::vector<Drawing>> framesOf(const Document& document, SheetIndex sheet,

@@ -18,6 +18,7 @@ struct Drawing {
     std::string description;
     Theme theme = Theme::light;
     bool hasPaper = true; ///< a background of the paper's colour
+    std::optional<SheetIndex> sheet = {}; ///< of which it is the figure, as it lies in the document
 };
 
 /// The figure of a sheet.

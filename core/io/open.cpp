@@ -5,14 +5,16 @@
 
 namespace kriva {
 
-std::variant<Document, FileError> readAnyDocument(std::string_view bytes) {
+bool isXml(std::string_view bytes) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    std::string_view text = bytes;
-    if (text.starts_with(kByteOrderMark))
-        text.remove_prefix(kByteOrderMark.size());
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    const bool isXml = first != std::string_view::npos && text[first] == '<';
-    return isXml ? readDocumentFromSvg(bytes) : readDocument(bytes);
+    if (bytes.starts_with(kByteOrderMark))
+        bytes.remove_prefix(kByteOrderMark.size());
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    return first != std::string_view::npos && bytes[first] == '<';
+}
+
+std::variant<Document, FileError> readAnyDocument(std::string_view bytes) {
+    return isXml(bytes) ? readDocumentFromSvg(bytes) : readDocument(bytes);
 }
 
 } // namespace kriva

@@ -17,7 +17,7 @@ constexpr std::array kLayers{
     LayerInfo{"curvature-comb", Caption::curvatureComb, false, true},
     LayerInfo{"all-rules", Caption::allRules, false, true},
     LayerInfo{"control-polygon", Caption::controlPolygon},
-    LayerInfo{"curve", Caption::curve},
+    LayerInfo{kCurveLayer, Caption::curve},
     LayerInfo{"polyline", Caption::deCasteljauPolyline, false, true},
     LayerInfo{"end-derivatives", Caption::endDerivatives, true, true},
     LayerInfo{"handles", Caption::handles},
@@ -145,7 +145,7 @@ Figure figureOf(const SplineCurve& curve, const FigureContext& context) {
         addBeneath(figure, curve, segments, context);
         figure.layers.push_back(polygonLayer(segments));
         figure.layers.push_back(
-            {"curve", {{chain(segments, curve.closed), Role::curve, 0, 1, curve.style, context.curve}}});
+            {kCurveLayer, {{chain(segments, curve.closed), Role::curve, 0, 1, curve.style, context.curve}}});
         if (isDrawn("polyline", kLayers, context))
             figure.layers.push_back(
                 polylineLayer(segments, (context.view ? *context.view : SheetView()).polylinePoints));

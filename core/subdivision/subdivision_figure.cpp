@@ -17,7 +17,7 @@ constexpr std::array kLayers{
     LayerInfo{"partial-curves", Caption::partialCurves, false, true},
     LayerInfo{"left", Caption::leftPolygon, true, true},
     LayerInfo{"right", Caption::rightPolygon, true, true},
-    LayerInfo{"curve", Caption::curve},
+    LayerInfo{kCurveLayer, Caption::curve},
     LayerInfo{"points", Caption::points},
     LayerInfo{"curve-point", Caption::curvePoint, true, true},
     LayerInfo{"blossom", Caption::blossom, true, true},
@@ -174,7 +174,7 @@ Figure figureOf(const SubdivisionCurve& curve, const FigureContext& context) {
         addPolygons(figure, curve, cut, context);
     if (!isIncomplete(curve))
         figure.layers.push_back(
-            {"curve", {{singleCurve(controlPolygon(curve)), Role::curve, 0, 1, curve.style, context.curve}}});
+            {kCurveLayer, {{singleCurve(controlPolygon(curve)), Role::curve, 0, 1, curve.style, context.curve}}});
     figure.layers.push_back({"points", {}, {{curve.points, Role::point}}});
     if (isCut)
         addPlaces(figure, curve, cut);

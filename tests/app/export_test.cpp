@@ -163,10 +163,29 @@ TEST_F(ExportCommand, writesTexThatLatexBuildsInEveryAlphabet) {
     }
 }
 
-TEST_F(ExportCommand, writesSvgThatComesBackFromInkscape) {
-    const QString inkscape = QStandardPaths::findExecutable(QStringLiteral("inkscape"));
-    if (inkscape.isEmpty())
-        GTEST_SKIP() << "Inkscape is not installed";
+class Inkscape : public ExportCommand {
+  protected:
+    void SetUp() override {
+        ExportCommand::SetUp();
+        if (kProgram.isEmpty())
+            GTEST_SKIP() << "Inkscape is not installed";
+    }
+    void inkscape(const QStringList& arguments) const {
+        QProcess program;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("HOME"), path({}));
+        program.setProcessEnvironment(environment);
+        program.setWorkingDirectory(path({}));
+        program.start(kProgram, arguments);
+        EXPECT_TRUE(program.waitForFinished(120'000));
+        EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
+    }
+
+  private:
+    const QString kProgram = QStandardPaths::findExecutable(QStringLiteral("inkscape"));
+};
+
+TEST_F(Inkscape, givesFiguresBack) {
     const QDir examples(QStringLiteral(KRIVA_SOURCE_DIR "/resources/examples"));
     for (const char* name : {"start", "de-casteljau", "clamped-spline", "five-runs"}) {
         const QString example = examples.filePath(QString::fromLatin1(name) + QStringLiteral(".kriva"));
@@ -175,26 +194,28 @@ TEST_F(ExportCommand, writesSvgThatComesBackFromInkscape) {
                       options)
                       .code,
                   0);
-        QProcess program;
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert(QStringLiteral("HOME"), path({}));
-        program.setProcessEnvironment(environment);
-        program.setWorkingDirectory(path({}));
-        program.start(inkscape, {QStringLiteral("--export-plain-svg"), QStringLiteral("--export-filename=plain.svg"),
-                                 QStringLiteral("own.svg")});
-        ASSERT_TRUE(program.waitForFinished(120'000));
-        ASSERT_FALSE(read("plain.svg").isEmpty()) << program.readAllStandardError().toStdString();
+        inkscape({QStringLiteral("--export-plain-svg"), QStringLiteral("--export-filename=plain.svg"),
+                  QStringLiteral("own.svg")});
         // The document inside gives the same figure, byte for byte; the lines drawn give the same curves.
-        EXPECT_EQ(run(QStringList{QStringLiteral("export"), QStringLiteral("plain.svg"), QStringLiteral("-o"),
-                                  QStringLiteral("again.svg")} +
-                      options)
-                      .code,
-                  0);
+        const test::Outcome again = run(QStringList{QStringLiteral("export"), QStringLiteral("plain.svg"),
+                                                    QStringLiteral("-o"), QStringLiteral("again.svg")} +
+                                        options);
+        EXPECT_EQ(again.code, 0);
+        EXPECT_EQ(again.error, "") << name << " was not edited";
         EXPECT_EQ(read("again.svg"), read("own.svg")) << name;
         EXPECT_EQ(run("import own.svg -o own.kriva --sheet spline").code, 0);
         EXPECT_EQ(run("import plain.svg -o plain.kriva --sheet spline").code, 0);
         EXPECT_EQ(read("plain.kriva"), read("own.kriva")) << name;
     }
+}
+
+TEST_F(Inkscape, movesACurve) {
+    EXPECT_EQ(exported(QStringLiteral("--sheet elevation"), "own.svg").count("id=\"curve-0\""), 1);
+    inkscape({QStringLiteral("--actions=select-by-id:curve-0;transform-translate:10,0;export-plain-svg;"
+                             "export-filename:moved.svg;export-do"),
+              QStringLiteral("own.svg")});
+    expectOneLine(run("export moved.svg -o again.svg"), ExitCode::done,
+                  "kriva: moved.svg: its lines were edited in another program; the document inside is taken as it was");
 }
 
 TEST_F(ExportCommand, tellsWhatAFormatCannotDraw) {

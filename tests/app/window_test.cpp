@@ -1,4 +1,7 @@
+#include "core/io/svg/svg_writer.h"
 #include "tests/support/test_window.h"
+#include "ui/document/safe_write.h"
+#include "ui/figures/caption_text.h"
 #include "ui/panels/controls/player.h"
 
 #include <gtest/gtest.h>
@@ -239,6 +242,51 @@ void answerWith(QMessageBox::StandardButton button) {
         ASSERT_NE(box, nullptr);
         box->button(button) ? box->button(button)->click() : box->reject();
     });
+}
+
+/// Answers the next message box by the button with this text.
+void answerWith(const QString& text) {
+    QTimer::singleShot(0, [text] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        ASSERT_NE(box, nullptr);
+        for (QAbstractButton* button : box->buttons())
+            if (button->text().remove(u'&') == text)
+                return button->click();
+        ADD_FAILURE() << "there is no button " << text.toStdString();
+        box->reject();
+    });
+}
+
+TEST(Window, asksWhetherToOpenTheDocumentOrTheDrawingOfAnEditedFigure) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("figure.svg"));
+    Document document;
+    document.title = "Inside";
+    document.sheets[0].curves = {withPointsAdded(emptyCurve(0), Points{{0, 0}, {1, 4}, {4, 0}})};
+    const std::string svg = writeSheetSvg(document, 0, textSource(), {{}, 10});
+    const auto save = [&](std::string_view without, std::string_view with) {
+        std::string text = svg;
+        ASSERT_NE(text.find(without), std::string::npos);
+        text.replace(text.find(without), without.size(), with);
+        EXPECT_FALSE(safeWrite(path, QByteArray::fromStdString(text)));
+    };
+    TestWindow window;
+    DocumentSession& session = window.window.session();
+    const Document before = window.window.document().value();
+    save("Q 16,6 46,46", "Q 16,6 56,46");
+    answerWith(QStringLiteral("Cancel"));
+    EXPECT_FALSE(session.openFile(path));
+    EXPECT_EQ(window.window.document().value(), before);
+    answerWith(QStringLiteral("Document"));
+    EXPECT_TRUE(session.openFile(path));
+    EXPECT_EQ(window.window.document().value(), document);
+    answerWith(QStringLiteral("Drawing"));
+    EXPECT_TRUE(session.openFile(path));
+    EXPECT_EQ(pointAt(window.window.document().sheet(0).curves.at(0), 2), (Point{5, 0}));
+    EXPECT_EQ(window.window.document().value().title, "Inside");
+    save("Q", "Q"); // as it was: nobody is asked
+    EXPECT_TRUE(session.openFile(path));
+    EXPECT_EQ(window.window.document().value(), document);
 }
 
 TEST(Window, asksBeforeChangesAreLost) {

@@ -1,23 +1,27 @@
 #include "ui/document/document_file.h"
 
 #include "core/document/document_json.h"
+#include "core/exchange/drawn_document.h"
 #include "core/io/open.h"
 
 namespace kriva::ui {
 
-std::variant<Document, OpenError> loadDocument(const QString& path) {
+std::variant<LoadedFile, OpenError> loadDocument(const QString& path) {
     return documentFrom(boundedRead(path));
 }
 
-std::variant<Document, OpenError> documentFrom(const std::variant<QByteArray, ReadError>& bytes) {
+std::variant<LoadedFile, OpenError> documentFrom(const std::variant<QByteArray, ReadError>& bytes) {
     if (const ReadError* error = std::get_if<ReadError>(&bytes))
         return *error;
-    const QByteArray& text = std::get<QByteArray>(bytes);
-    std::variant<Document, FileError> document =
-        readAnyDocument({text.constData(), static_cast<std::size_t>(text.size())});
+    const QByteArray& read = std::get<QByteArray>(bytes);
+    const std::string_view text(read.constData(), static_cast<std::size_t>(read.size()));
+    std::variant<Document, FileError> document = readAnyDocument(text);
     if (FileError* error = std::get_if<FileError>(&document))
         return std::move(*error);
-    return std::get<Document>(std::move(document));
+    LoadedFile loaded{std::get<Document>(std::move(document))};
+    if (isXml(text))
+        loaded.drawn = drawnDocument(text, loaded.document);
+    return loaded;
 }
 
 std::optional<WriteError> saveDocument(const QString& path, const Document& document) {

@@ -10,11 +10,18 @@ namespace kriva::ui {
 /// Why a file could not be opened as a document.
 using OpenError = std::variant<ReadError, FileError>;
 
-/// Reads a document from a `.kriva` file or from a figure of Kriva with its document inside.
-[[nodiscard]] std::variant<Document, OpenError> loadDocument(const QString& path);
+/// What a file holds.
+struct LoadedFile {
+    Document document;
+    /// Of a figure whose lines were edited elsewhere: the document as they draw it.
+    std::optional<Document> drawn = {};
+};
+
+/// Reads a `.kriva` file, or a figure of Kriva with its document inside.
+[[nodiscard]] std::variant<LoadedFile, OpenError> loadDocument(const QString& path);
 
 /// The same from what was read already.
-[[nodiscard]] std::variant<Document, OpenError> documentFrom(const std::variant<QByteArray, ReadError>& bytes);
+[[nodiscard]] std::variant<LoadedFile, OpenError> documentFrom(const std::variant<QByteArray, ReadError>& bytes);
 
 /// Writes the document; nothing on success.
 [[nodiscard]] std::optional<WriteError> saveDocument(const QString& path, const Document& document);

@@ -1,34 +1,14 @@
 #include "ui/exchange/import_text.h"
 
-#include "core/io/svg/paths/path_reader.h"
+#include "core/io/open.h"
 #include "ui/document/error_text.h"
 #include "ui/exchange/points_table.h"
 
 namespace kriva::ui {
 namespace {
 
-using PathsOrFault = std::variant<std::vector<ImportedPath>, FileError>;
-
-bool isSvg(const QByteArray& trimmed) {
-    return trimmed.startsWith('<');
-}
-
-PathsOrFault readData(std::string_view data) {
-    auto read = readPathData(data);
-    if (FileError* error = std::get_if<FileError>(&read))
-        return std::move(*error);
-    std::vector<ImportedPath> imported;
-    for (Path& path : std::get<std::vector<Path>>(read)) {
-        for (Point& p : path.points)
-            p.y = -p.y; // it goes down in SVG
-        imported.push_back({{}, std::move(path)});
-    }
-    if (imported.empty()) {
-        FileError error;
-        error.problem = FileProblem::noPaths;
-        return error;
-    }
-    return imported;
+std::string_view viewOf(const QByteArray& text) {
+    return {text.constData(), static_cast<std::size_t>(text.size())};
 }
 
 std::variant<std::vector<ImportedPath>, QString> readTable(const QString& text) {
@@ -37,7 +17,7 @@ std::variant<std::vector<ImportedPath>, QString> readTable(const QString& text) 
         return errorText(*error);
     std::vector<ImportedPath> imported;
     for (Points& points : std::get<std::vector<Points>>(read))
-        imported.push_back({{}, {std::move(points), {}, false}});
+        imported.push_back({{}, {std::move(points), {}, false}, {}});
     return imported;
 }
 
@@ -51,15 +31,14 @@ QByteArray withoutMark(const QByteArray& text) {
 
 bool holdsPaths(const QByteArray& text) {
     const QByteArray trimmed = withoutMark(text).trimmed();
-    return isSvg(trimmed) || trimmed.startsWith('M') || trimmed.startsWith('m');
+    return isXml(viewOf(trimmed)) || trimmed.startsWith('M') || trimmed.startsWith('m');
 }
 
 std::variant<std::vector<ImportedPath>, QString> readImport(const QByteArray& text) {
     const QByteArray bare = withoutMark(text);
     if (!holdsPaths(bare))
         return readTable(QString::fromUtf8(bare));
-    const std::string_view bytes(bare.constData(), static_cast<std::size_t>(bare.size()));
-    PathsOrFault read = isSvg(bare.trimmed()) ? readSvgPaths(bytes) : readData(bytes);
+    auto read = isXml(viewOf(bare)) ? readSvgPaths(viewOf(bare)) : readPathsOfData(viewOf(bare));
     if (const FileError* error = std::get_if<FileError>(&read))
         return errorText(*error);
     return std::get<std::vector<ImportedPath>>(std::move(read));

@@ -1,6 +1,5 @@
 #include "ui/shell/document_session.h"
 
-#include "ui/document/document_file.h"
 #include "ui/document/error_text.h"
 #include "ui/shell/examples.h"
 #include "ui/shell/preferences.h"
@@ -8,6 +7,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 
 namespace kriva::ui {
 
@@ -48,17 +48,40 @@ void DocumentSession::open() {
 }
 
 bool DocumentSession::openFile(const QString& path) {
-    std::variant<Document, OpenError> loaded = loadDocument(path);
+    std::variant<LoadedFile, OpenError> loaded = loadDocument(path);
     if (const OpenError* error = std::get_if<OpenError>(&loaded)) {
         tell(tr("The file was not opened"), errorText(*error, path));
         return false;
     }
-    document_.replace(std::get<Document>(std::move(loaded)));
+    std::optional<Document> document = chosen(std::get<LoadedFile>(std::move(loaded)), path);
+    if (!document)
+        return false;
+    document_.replace(std::move(*document));
     // A figure keeps its document inside, but saving must not put a document in the figure's place.
     const bool isDocument = path.endsWith(QLatin1String(".kriva"));
     setPath(isDocument ? path : QString());
     preferences_.addRecentFile(path);
     return true;
+}
+
+std::optional<Document> DocumentSession::chosen(LoadedFile loaded, const QString& path) {
+    if (!loaded.drawn)
+        return std::move(loaded.document);
+    QMessageBox box(QMessageBox::Question, tr("An edited figure"),
+                    tr("The lines of “%1” were edited in another program: they are not those of the document inside "
+                       "any more.")
+                        .arg(QFileInfo(path).fileName()),
+                    QMessageBox::Cancel, window_);
+    box.setInformativeText(tr("Open the document as it was, or as it is drawn now?"));
+    const QAbstractButton* const document = box.addButton(tr("&Document"), QMessageBox::AcceptRole);
+    QPushButton* const drawing = box.addButton(tr("D&rawing"), QMessageBox::AcceptRole);
+    box.setDefaultButton(drawing);
+    box.exec();
+    if (box.clickedButton() == drawing)
+        return std::move(loaded.drawn);
+    if (box.clickedButton() == document)
+        return std::move(loaded.document);
+    return {};
 }
 
 bool DocumentSession::save() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/document/document_file.h"
 #include "ui/document/open_document.h"
 
 #include <QStringList>
@@ -24,7 +25,8 @@ class DocumentSession : public QObject {
     void newDocument();
     /// Asks for a file.
     void open();
-    /// Opens the file in place of the present document, which stays as it was if the file is refused.
+    /// Opens the file in place of the present document, which stays as it was if the file is refused. Where it is a
+    /// figure that was edited elsewhere, asks whether to open its document or its drawing.
     bool openFile(const QString& path);
     /// Shows an example of the program's own resources, as a document without a file.
     void openExample(const QString& resource);
@@ -42,6 +44,8 @@ class DocumentSession : public QObject {
     void exampleOpened(const QString& resource);
 
   private:
+    /// Nothing where a person wants neither the document nor the drawing.
+    std::optional<Document> chosen(LoadedFile loaded, const QString& path);
     void setPath(const QString& path);
     void tell(const QString& title, const QString& text);
 

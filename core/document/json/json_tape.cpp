@@ -170,12 +170,8 @@ std::string_view textOf(const JsonTape& tape, std::uint32_t index) {
 }
 
 std::variant<JsonTape, FileError> parseJson(std::string_view text) {
-    if (text.size() > limits::kFileBytes) {
-        FileError error;
-        error.problem = FileProblem::tooLarge;
-        error.numbers = {static_cast<double>(limits::kFileBytes)};
-        return error;
-    }
+    if (text.size() > limits::kFileBytes)
+        return errorOfFile(FileProblem::tooLarge, {static_cast<double>(limits::kFileBytes)});
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // the library would take it in silence
     if (text.starts_with(kByteOrderMark))
         return errorAtByte(FileProblem::notJson, text, 0);

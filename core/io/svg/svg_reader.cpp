@@ -1,7 +1,7 @@
 #include "core/io/svg/svg_reader.h"
 
 #include "core/document/document_json.h"
-#include "core/io/svg/svg_namespace.h"
+#include "core/io/svg/svg_names.h"
 #include "core/io/svg/svg_xml.h"
 
 namespace kriva {
@@ -16,15 +16,15 @@ std::string_view namespaceOf(pugi::xml_node node) {
     return {};
 }
 
-/// The element of ours in the metadata; an empty node where there is none.
-pugi::xml_node documentElement(const pugi::xml_node& svg) {
+/// The element of ours with that name in the metadata; an empty node where there is none.
+pugi::xml_node ownElement(const pugi::xml_node& svg, std::string_view name) {
     // There is one. Each takes a look at all attributes around it: a hostile file has time for no more than these.
     int candidates = 100;
     for (const pugi::xml_node metadata : svg.children()) {
         if (nameOf(metadata).local != "metadata")
             continue;
         for (const pugi::xml_node child : metadata.children())
-            if (nameOf(child).local == "document" && candidates-- > 0 && namespaceOf(child) == kSvgDocumentNamespace)
+            if (nameOf(child).local == name && candidates-- > 0 && namespaceOf(child) == kSvgNamespace)
                 return child;
     }
     return {};
@@ -43,17 +43,21 @@ std::variant<Document, FileError> readDocumentFromSvg(std::string_view svg) {
     pugi::xml_document xml;
     if (std::optional<FileError> error = openSvg(svg, xml))
         return std::move(*error);
-    const pugi::xml_node element = documentElement(xml.document_element());
-    if (!element) {
-        FileError error;
-        error.problem = FileProblem::noDocumentInside;
-        return error;
-    }
+    const pugi::xml_node element = ownElement(xml.document_element(), kSvgDocument);
+    if (!element)
+        return errorOfFile(FileProblem::noDocumentInside);
     std::variant<Document, FileError> document = readDocument(textOf(element));
     // A line of the JSON says nothing about the file; that of its element does.
     if (FileError* error = std::get_if<FileError>(&document); error && error->line > 0)
         return errorAtByte(error->problem, svg, static_cast<std::size_t>(element.offset_debug()));
     return document;
+}
+
+std::optional<DrawnSheet> readDrawnSheetFromSvg(std::string_view svg) {
+    pugi::xml_document xml;
+    if (openSvg(svg, xml))
+        return {};
+    return readDrawnSheet(textOf(ownElement(xml.document_element(), kSvgDrawing)));
 }
 
 } // namespace kriva

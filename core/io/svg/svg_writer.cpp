@@ -5,7 +5,9 @@
 #include "core/figure/label_placement.h"
 #include "core/figure/labels.h"
 #include "core/io/plain_number.h"
-#include "core/io/svg/svg_namespace.h"
+#include "core/io/svg/drawn_sheet.h"
+#include "core/io/svg/svg_animation.h"
+#include "core/io/svg/svg_names.h"
 #include "core/io/svg/svg_path.h"
 #include "core/io/svg/xml_text.h"
 
@@ -41,8 +43,7 @@ class SvgText {
     void head();
     void layer(const Drawing& drawing, std::size_t index, const std::vector<PlacedLabel>& labels,
                std::string_view idSuffix = {});
-    /// Shows what follows in the frame `index` of so many.
-    void animation(std::size_t index, std::size_t count, double seconds);
+    void metadata();
     void stroke(const Stroke& stroke, bool isOfCurves);
     void marks(const Marks& marks);
     void mark(Point centre, const RoleStyle& style);
@@ -74,66 +75,20 @@ std::string SvgText::take() && {
 }
 
 std::string SvgText::takeAnimated(std::span<const Drawing> frames, double seconds) && {
-    /// A layer of one frame.
-    struct Part {
-        std::size_t frame;
-        std::size_t index;
-        std::vector<PlacedLabel> labels;
-    };
-    // By name in the order of drawing, which all frames share.
-    std::vector<std::pair<std::string_view, std::vector<Part>>> layers;
-    for (std::size_t f = 0; f < frames.size(); ++f) {
-        auto labels = placedLabels(frames[f].figure, frames[f].page, texts_);
-        auto behind = layers.begin();
-        for (std::size_t i = 0; i < labels.size(); ++i) {
-            const std::string_view name = frames[f].figure.layers[i].name;
-            auto at = std::ranges::find(layers, name, [](const auto& layer) { return layer.first; });
-            if (at == layers.end())
-                at = layers.insert(behind, {name, {}});
-            at->second.push_back({f, i, std::move(labels[i])});
-            behind = at + 1;
-        }
-    }
     head();
-    for (const auto& [name, parts] : layers) {
-        const auto layerOf = [&](const Part& part) -> const Layer& {
-            return frames[part.frame].figure.layers[part.index];
-        };
-        const bool standsStill =
-            parts.size() == frames.size() && std::ranges::all_of(parts, [&](const Part& part) {
-                return layerOf(part) == layerOf(parts.front()) && part.labels == parts.front().labels;
-            });
-        if (standsStill) {
-            layer(frames.front(), parts.front().index, parts.front().labels);
+    for (const FrameLayer& layer : frameLayers(frames, texts_)) {
+        if (layer.standsStill) {
+            this->layer(frames.front(), layer.parts.front().index, layer.parts.front().labels);
             continue;
         }
-        for (const Part& part : parts) {
-            animation(part.frame, frames.size(), seconds);
-            layer(frames[part.frame], part.index, part.labels, "-" + decimal(static_cast<int>(part.frame)));
+        for (const FrameLayer::Part& part : layer.parts) {
+            line(groupOfFrame(part.frame, frames.size(), seconds));
+            this->layer(frames[part.frame], part.index, part.labels, "-" + decimal(static_cast<int>(part.frame)));
             line("</g>");
         }
     }
     line("</svg>");
     return std::move(text_);
-}
-
-void SvgText::animation(std::size_t index, std::size_t count, double seconds) {
-    const auto part = [&](std::size_t i) {
-        return plainNumber(static_cast<double>(i) / static_cast<double>(count), 6);
-    };
-    std::string values = index == 0 ? "visible" : "hidden;visible";
-    std::string times = index == 0 ? "0" : "0;" + part(index);
-    if (index + 1 < count) {
-        values += ";hidden";
-        times += ";" + part(index + 1);
-    }
-    text_ += "<g";
-    attribute("visibility", index == 0 ? "visible" : "hidden");
-    text_ += "><animate attributeName=\"visibility\" calcMode=\"discrete\" repeatCount=\"indefinite\"";
-    attribute("dur", plainNumber(static_cast<double>(count) * seconds, 3) + "s");
-    attribute("values", values);
-    attribute("keyTimes", times);
-    line("/>");
 }
 
 void SvgText::head() {
@@ -153,10 +108,8 @@ void SvgText::head() {
     line(">");
     line("<title>" + xmlText(drawing_.title) + "</title>");
     line("<desc>" + xmlText(drawing_.description) + "</desc>");
-    if (!options_.document.empty()) {
-        text_.append("<metadata><kriva:document xmlns:kriva=\"").append(kSvgDocumentNamespace).append("\">");
-        line(xmlJson(options_.document) + "</kriva:document></metadata>");
-    }
+    if (!options_.document.empty())
+        metadata();
     if (!drawing_.hasPaper)
         return;
     text_ += "<rect id=\"paper\"";
@@ -166,11 +119,23 @@ void SvgText::head() {
     line("/>");
 }
 
+void SvgText::metadata() {
+    const auto element = [&](std::string_view name, const std::string& json) {
+        text_.append("<kriva:").append(name).append(" xmlns:kriva=\"").append(kSvgNamespace).append("\">");
+        text_.append(xmlJson(json)).append("</kriva:").append(name).append(">");
+    };
+    text_ += "<metadata>";
+    element(kSvgDocument, options_.document);
+    if (drawing_.sheet)
+        element(kSvgDrawing, writeDrawnSheet(drawnSheetOf(drawing_, decimals_)));
+    line("</metadata>");
+}
+
 void SvgText::layer(const Drawing& drawing, std::size_t index, const std::vector<PlacedLabel>& labels,
                     std::string_view idSuffix) {
     const Layer& layer = drawing.figure.layers[index];
     text_ += "<g";
-    attribute("id", std::string("layer-").append(layer.name).append(idSuffix));
+    attribute("id", std::string(kSvgLayerId).append(layer.name).append(idSuffix));
     if (options_.hasInkscapeLayers) {
         attribute("inkscape:groupmode", "layer");
         attribute("inkscape:label", xmlText(drawing.layerTitles[index]));
@@ -181,7 +146,7 @@ void SvgText::layer(const Drawing& drawing, std::size_t index, const std::vector
     }
     line(">");
     for (const Stroke& s : layer.strokes)
-        stroke(s, layer.name == "curve");
+        stroke(s, layer.name == kCurveLayer);
     for (const Marks& m : layer.marks)
         marks(m);
     for (const PlacedLabel& l : labels)
@@ -196,7 +161,7 @@ void SvgText::stroke(const Stroke& stroke, bool isOfCurves) {
     const RoleStyle style = styleOf(stroke, drawing_.theme);
     text_ += "<path";
     if (isOfCurves && stroke.curve >= 0 && namedCurves_.insert(stroke.curve).second)
-        attribute("id", "curve-" + decimal(stroke.curve));
+        attribute("id", std::string(kSvgCurveId) + decimal(stroke.curve));
     text_ += " d=\"";
     appendPathData(text_, stroke.path, drawing_.page, decimals_);
     text_ += '"';
@@ -305,7 +270,7 @@ std::string writeAnimatedSvg(std::span<const Drawing> frames, double seconds, co
 
 std::string documentForSvg(const Document& document) {
     std::string json = writeDocument(document, 0);
-    json.pop_back(); // one line of the file, without its end
+    json.pop_back(); // without the end of its line
     return json;
 }
 

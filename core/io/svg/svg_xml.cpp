@@ -6,12 +6,8 @@
 namespace kriva {
 
 std::optional<FileError> openSvg(std::string_view svg, pugi::xml_document& xml) {
-    if (svg.size() > limits::kFileBytes) {
-        FileError error;
-        error.problem = FileProblem::tooLarge;
-        error.numbers = {static_cast<double>(limits::kFileBytes)};
-        return error;
-    }
+    if (svg.size() > limits::kFileBytes)
+        return errorOfFile(FileProblem::tooLarge, {static_cast<double>(limits::kFileBytes)});
     if (std::optional<FileError> error = xmlLimitError(svg))
         return error;
     const pugi::xml_parse_result parsed =

@@ -26,16 +26,18 @@ class DocumentFile : public testing::Test {
 TEST_F(DocumentFile, comesBackAsItWasSaved) {
     EXPECT_FALSE(saveDocument(path("arch.kriva"), arch()));
     const auto loaded = loadDocument(path("arch.kriva"));
-    ASSERT_TRUE(std::holds_alternative<Document>(loaded));
-    EXPECT_EQ(std::get<Document>(loaded), arch());
+    ASSERT_TRUE(std::holds_alternative<LoadedFile>(loaded));
+    EXPECT_EQ(std::get<LoadedFile>(loaded).document, arch());
+    EXPECT_FALSE(std::get<LoadedFile>(loaded).drawn);
 }
 
 TEST_F(DocumentFile, opensAFigureWithItsDocumentInside) {
     const TextSource texts{[](Caption) { return "Word"; }, [](double, int) { return std::string(); }, "en"};
     EXPECT_FALSE(safeWrite(path("arch.svg"), QByteArray::fromStdString(writeSheetSvg(arch(), 0, texts))));
     const auto loaded = loadDocument(path("arch.svg"));
-    ASSERT_TRUE(std::holds_alternative<Document>(loaded));
-    EXPECT_EQ(std::get<Document>(loaded), arch());
+    ASSERT_TRUE(std::holds_alternative<LoadedFile>(loaded));
+    EXPECT_EQ(std::get<LoadedFile>(loaded).document, arch());
+    EXPECT_FALSE(std::get<LoadedFile>(loaded).drawn);
 }
 
 TEST_F(DocumentFile, saysWhyItCannotBeOpenedOrSaved) {

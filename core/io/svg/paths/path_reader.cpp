@@ -23,7 +23,7 @@ class PathReader {
             if (!command())
                 return errorAtByte(FileProblem::notPathData, data_, scanner_.position());
             if (subpaths_.pieces() > limits::kPointsInSheet)
-                return tooLong();
+                return errorOfFile(FileProblem::tooMany, {static_cast<double>(limits::kPointsInSheet)});
         }
         return std::move(subpaths_).take();
     }
@@ -34,13 +34,6 @@ class PathReader {
 
     /// What a shorthand mirrors: the last control point of a command of its own kind.
     enum class Kind { other, quadratic, cubic };
-
-    [[nodiscard]] static FileError tooLong() {
-        FileError error;
-        error.problem = FileProblem::tooMany;
-        error.numbers = {static_cast<double>(limits::kPointsInSheet)};
-        return error;
-    }
 
     /// The next command with its arguments, or the next arguments of the one before.
     bool command() {

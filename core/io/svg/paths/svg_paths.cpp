@@ -1,10 +1,11 @@
 #include "core/io/svg/paths/svg_paths.h"
 
 #include "core/document/limits.h"
+#include "core/io/svg/paths/path_reader.h"
 #include "core/io/svg/paths/svg_scanner.h"
 #include "core/io/svg/paths/svg_shapes.h"
 #include "core/io/svg/paths/svg_transform.h"
-#include "core/io/svg/svg_namespace.h"
+#include "core/io/svg/svg_names.h"
 #include "core/io/svg/svg_xml.h"
 
 #include <algorithm>
@@ -14,13 +15,6 @@
 
 namespace kriva {
 namespace {
-
-FileError tooMany(FileProblem problem, double limit) {
-    FileError error;
-    error.problem = problem;
-    error.numbers = {limit};
-    return error;
-}
 
 /// Names of elements that are drawn where another one refers to them, or that draw no lines.
 bool isDrawnElsewhere(std::string_view name) {
@@ -51,7 +45,10 @@ class SvgPaths {
         : svg_(svg)
         , root_(root) {}
 
+    /// All that is drawn, or the curves of a figure of Kriva's own.
     [[nodiscard]] std::variant<std::vector<ImportedPath>, FileError> read() &&;
+    /// The curves of a figure of Kriva's own alone.
+    [[nodiscard]] std::variant<std::vector<ImportedPath>, FileError> readOwn() &&;
 
   private:
     /// What elements inherit.
@@ -61,6 +58,11 @@ class SvgPaths {
         std::string name;
         int uses = 0; ///< around it
     };
+
+    /// Where the outermost elements are; nothing where the page's size cannot be read.
+    std::optional<Place> outermost();
+    [[nodiscard]] pugi::xml_node ownLayer() const { return 
+        root_.find_child_by_attribute("id", std::string(kSvgLayerId).append(kCurveLayer).c_str()); }
 
     // Each of these gives false where there is a fault.
     bool children(const pugi::xml_node& parent, const Place& place);
@@ -92,26 +94,36 @@ class SvgPaths {
     std::size_t points_ = 0;
 };
 
-std::variant<std::vector<ImportedPath>, FileError> SvgPaths::read() && {
+std::optional<SvgPaths::Place> SvgPaths::outermost() {
     constexpr SvgViewport kUsual{300, 150}; // of a page that says nothing
     Place place;
     place.map = scaling(1, -1);
     std::optional<ViewBox> box;
     if (!viewBoxOf(root_, box))
-        return std::move(*fault_);
+        return {};
     if (box)
         place.viewport = {box->width, box->height};
     else
         place.viewport = {readLength(root_.attribute("width").value(), kUsual.width).value_or(kUsual.width),
                           readLength(root_.attribute("height").value(), kUsual.height).value_or(kUsual.height)};
-    const pugi::xml_node ownCurves = root_.find_child_by_attribute("id", kSvgCurveLayer);
-    if (!(ownCurves ? element(ownCurves, place) : children(root_, place)))
+    return place;
+}
+
+std::variant<std::vector<ImportedPath>, FileError> SvgPaths::read() && {
+    const std::optional<Place> place = outermost();
+    const pugi::xml_node own = ownLayer();
+    if (!place || !(own ? element(own, *place) : children(root_, *place)))
         return std::move(*fault_);
-    if (paths_.empty()) {
-        FileError error;
-        error.problem = FileProblem::noPaths;
-        return error;
-    }
+    if (paths_.empty())
+        return errorOfFile(FileProblem::noPaths);
+    return std::move(paths_);
+}
+
+std::variant<std::vector<ImportedPath>, FileError> SvgPaths::readOwn() && {
+    const std::optional<Place> place = outermost();
+    const pugi::xml_node own = ownLayer();
+    if (!place || (own && !element(own, *place)))
+        return std::move(*fault_);
     return std::move(paths_);
 }
 
@@ -123,7 +135,7 @@ bool SvgPaths::children(const pugi::xml_node& parent, const Place& place) {
 
 bool SvgPaths::element(const pugi::xml_node& element, Place place) {
     if (++visited_ > limits::kXmlElements)
-        return refuse(tooMany(FileProblem::tooManyElements, limits::kXmlElements));
+        return refuse(errorOfFile(FileProblem::tooManyElements, {limits::kXmlElements}));
     const auto [prefix, name] = nameOf(element);
     if (prefix != nameOf(root_).prefix || !isDisplayed(element)) // another vocabulary, or nothing to see
         return true;
@@ -153,7 +165,7 @@ bool SvgPaths::use(const pugi::xml_node& element, Place place) {
     if (!target)
         return true; // elsewhere, or nowhere: it draws nothing
     if (++place.uses > limits::kSvgUses)
-        return refuse(tooMany(FileProblem::nestedTooDeep, limits::kSvgUses));
+        return refuse(errorOfFile(FileProblem::nestedTooDeep, {limits::kSvgUses}));
     const std::optional<ViewBox> own = placeOf(element, place.viewport);
     if (!own)
         return false;
@@ -203,8 +215,8 @@ bool SvgPaths::shape(const pugi::xml_node& element, const Place& place) {
         }
         points_ += path.points.size();
         if (points_ > limits::kPointsInSheet)
-            return refuse(tooMany(FileProblem::tooMany, static_cast<double>(limits::kPointsInSheet)));
-        paths_.push_back({place.name, std::move(path)});
+            return refuse(errorOfFile(FileProblem::tooMany, {static_cast<double>(limits::kPointsInSheet)}));
+        paths_.push_back({place.name, std::move(path), element.attribute("id").value()});
     }
     return true;
 }
@@ -283,6 +295,29 @@ std::variant<std::vector<ImportedPath>, FileError> readSvgPaths(std::string_view
         return std::move(*error);
     const pugi::xml_node root = xml.document_element();
     return SvgPaths(svg, root).read();
+}
+
+std::variant<std::vector<ImportedPath>, FileError> readOwnCurves(std::string_view svg) {
+    pugi::xml_document xml;
+    if (std::optional<FileError> error = openSvg(svg, xml))
+        return std::move(*error);
+    const pugi::xml_node root = xml.document_element();
+    return SvgPaths(svg, root).readOwn();
+}
+
+std::variant<std::vector<ImportedPath>, FileError> readPathsOfData(std::string_view data) {
+    auto read = readPathData(data);
+    if (FileError* error = std::get_if<FileError>(&read))
+        return std::move(*error);
+    std::vector<ImportedPath> imported;
+    for (Path& path : std::get<std::vector<Path>>(read)) {
+        for (Point& p : path.points)
+            p.y = -p.y; // it goes down in SVG
+        imported.push_back({{}, std::move(path), {}});
+    }
+    if (imported.empty())
+        return errorOfFile(FileProblem::noPaths);
+    return imported;
 }
 
 } // namespace kriva

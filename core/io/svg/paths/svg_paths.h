@@ -12,6 +12,7 @@ namespace kriva {
 struct ImportedPath {
     std::string name; ///< what a person called it or its group; empty where nobody did
     Path path;
+    std::string id = {}; ///< of its element
     friend bool operator==(const ImportedPath&, const ImportedPath&) = default;
 };
 
@@ -22,5 +23,11 @@ struct ImportedPath {
 /// Refused where a shape cannot be read, at the line of its element, beyond the limits of sheets and of XML, and where
 /// nothing is drawn. Linear in what is drawn.
 [[nodiscard]] std::variant<std::vector<ImportedPath>, FileError> readSvgPaths(std::string_view svg);
+
+/// The same of the layer with the curves of a figure of Kriva's own; none where there is no such layer.
+[[nodiscard]] std::variant<std::vector<ImportedPath>, FileError> readOwnCurves(std::string_view svg);
+
+/// The same of the data of an SVG path alone, as readPathData() reads it.
+[[nodiscard]] std::variant<std::vector<ImportedPath>, FileError> readPathsOfData(std::string_view data);
 
 } // namespace kriva

@@ -1,4 +1,5 @@
 #include "core/document/document_json.h"
+#include "core/exchange/drawn_document.h"
 #include "core/io/drawn_pieces.h"
 #include "core/io/open.h"
 #include "core/io/svg/paths/svg_paths.h"
@@ -63,6 +64,8 @@ TEST(SvgRoundTrip, bringsBackAThousandDocumentsAndTheirCurves) {
             EXPECT_EQ(writeDocument(std::get<Document>(back)), writeDocument(document));
             const Drawing drawing = drawingOf(document, sheet, kTexts);
             expectDrawn(svg, drawing);
+            EXPECT_FALSE(drawnDocument(svg, document)) << "nobody edited it";
+            EXPECT_FALSE(drawnDocument(writeSheetSvg(document, sheet, kTexts, {}, {{}, 2}), document));
             drawn += drawnCurves(drawing).empty() ? 0 : 1;
         }
     }
