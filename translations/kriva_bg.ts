@@ -565,6 +565,30 @@
         <source>De Casteljau polyline</source>
         <translation>Начупена линия на дьо Кастелжо</translation>
     </message>
+    <message>
+        <source>Grid</source>
+        <translation>Мрежа</translation>
+    </message>
+    <message>
+        <source>Numbers of the axes</source>
+        <translation>Числа по осите</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Оси</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Линии</translation>
+    </message>
+    <message>
+        <source>Place on view</source>
+        <translation>Разглеждано място</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Легенда</translation>
+    </message>
 </context>
 <context>
     <name>Clip</name>
@@ -752,6 +776,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>--width and --scale do not go together</source>
         <translation>--width и --scale не вървят заедно</translation>
+    </message>
+    <message>
+        <source>%1: its lines were edited in another program; the document inside is taken as it was</source>
+        <translation>%1: линиите са променени в друга програма; взема се документът вътре, какъвто е бил</translation>
     </message>
 </context>
 <context>
@@ -2299,6 +2327,26 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Without saving they are lost.</source>
         <translation>Без запазване те се губят.</translation>
     </message>
+    <message>
+        <source>An edited figure</source>
+        <translation>Променена фигура</translation>
+    </message>
+    <message>
+        <source>The lines of “%1” were edited in another program: they are not those of the document inside any more.</source>
+        <translation>Линиите на „%1“ са променени в друга програма: те вече не са тези на документа вътре.</translation>
+    </message>
+    <message>
+        <source>Open the document as it was, or as it is drawn now?</source>
+        <translation>Да се отвори ли документът, какъвто е бил, или какъвто е начертан сега?</translation>
+    </message>
+    <message>
+        <source>&amp;Document</source>
+        <translation>&amp;Документ</translation>
+    </message>
+    <message>
+        <source>D&amp;rawing</source>
+        <translation>&amp;Чертеж</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::ElevationProperties</name>
@@ -2400,10 +2448,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>A &amp;part for another document</source>
         <translation>Част за д&amp;руг документ</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Слоеве</translation>
     </message>
     <message>
         <source>The figure as it will be</source>

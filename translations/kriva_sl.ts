@@ -565,6 +565,30 @@
         <source>De Casteljau polyline</source>
         <translation>De Casteljaujeva lomljenka</translation>
     </message>
+    <message>
+        <source>Grid</source>
+        <translation>Mreža</translation>
+    </message>
+    <message>
+        <source>Numbers of the axes</source>
+        <translation>Številke na oseh</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Osi</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Črte</translation>
+    </message>
+    <message>
+        <source>Place on view</source>
+        <translation>Opazovano mesto</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legenda</translation>
+    </message>
 </context>
 <context>
     <name>Clip</name>
@@ -752,6 +776,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>--width and --scale do not go together</source>
         <translation>--width in --scale ne gresta skupaj</translation>
+    </message>
+    <message>
+        <source>%1: its lines were edited in another program; the document inside is taken as it was</source>
+        <translation>%1: črte so bile spremenjene v drugem programu; vzet je dokument v njej, kakršen je bil</translation>
     </message>
 </context>
 <context>
@@ -2301,6 +2329,26 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>Without saving they are lost.</source>
         <translation>Brez shranjevanja bodo izgubljene.</translation>
     </message>
+    <message>
+        <source>An edited figure</source>
+        <translation>Spremenjena slika</translation>
+    </message>
+    <message>
+        <source>The lines of “%1” were edited in another program: they are not those of the document inside any more.</source>
+        <translation>Črte slike »%1« so bile spremenjene v drugem programu: niso več črte dokumenta v njej.</translation>
+    </message>
+    <message>
+        <source>Open the document as it was, or as it is drawn now?</source>
+        <translation>Naj se odpre dokument, kakršen je bil, ali kakršen je narisan zdaj?</translation>
+    </message>
+    <message>
+        <source>&amp;Document</source>
+        <translation>&amp;Dokument</translation>
+    </message>
+    <message>
+        <source>D&amp;rawing</source>
+        <translation>&amp;Risba</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::ElevationProperties</name>
@@ -2402,10 +2450,6 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>A &amp;part for another document</source>
         <translation>Del za dr&amp;ug dokument</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Plasti</translation>
     </message>
     <message>
         <source>The figure as it will be</source>

@@ -565,6 +565,30 @@
         <source>De Casteljau polyline</source>
         <translation>Ламана де Кастельжо</translation>
     </message>
+    <message>
+        <source>Grid</source>
+        <translation>Сітка</translation>
+    </message>
+    <message>
+        <source>Numbers of the axes</source>
+        <translation>Числа на осях</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Осі</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Лінії</translation>
+    </message>
+    <message>
+        <source>Place on view</source>
+        <translation>Розглядуване місце</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Легенда</translation>
+    </message>
 </context>
 <context>
     <name>Clip</name>
@@ -752,6 +776,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>--width and --scale do not go together</source>
         <translation>--width і --scale не йдуть разом</translation>
+    </message>
+    <message>
+        <source>%1: its lines were edited in another program; the document inside is taken as it was</source>
+        <translation>%1: лінії змінено в іншій програмі; взято документ усередині, яким він був</translation>
     </message>
 </context>
 <context>
@@ -2300,6 +2328,26 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Without saving they are lost.</source>
         <translation>Без збереження їх буде втрачено.</translation>
     </message>
+    <message>
+        <source>An edited figure</source>
+        <translation>Змінений рисунок</translation>
+    </message>
+    <message>
+        <source>The lines of “%1” were edited in another program: they are not those of the document inside any more.</source>
+        <translation>Лінії рисунка «%1» змінено в іншій програмі: вони вже не такі, як у документі всередині.</translation>
+    </message>
+    <message>
+        <source>Open the document as it was, or as it is drawn now?</source>
+        <translation>Відкрити документ таким, яким він був, чи таким, як його накреслено тепер?</translation>
+    </message>
+    <message>
+        <source>&amp;Document</source>
+        <translation>&amp;Документ</translation>
+    </message>
+    <message>
+        <source>D&amp;rawing</source>
+        <translation>&amp;Креслення</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::ElevationProperties</name>
@@ -2401,10 +2449,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>A &amp;part for another document</source>
         <translation>&amp;Частина для іншого документа</translation>
-    </message>
-    <message>
-        <source>Layers</source>
-        <translation>Шари</translation>
     </message>
     <message>
         <source>The figure as it will be</source>

@@ -1,13 +1,11 @@
 #include "app/commands/command_line.h"
 
 #include "app/commands/export_options.h"
+#include "app/commands/option_number.h"
 #include "core/document/limits.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QMap>
-
-#include <cmath>
 
 namespace kriva::app {
 
@@ -125,11 +123,7 @@ Request CommandLine::exported(const Words& words) {
 }
 
 Request CommandLine::imported(const Words& words) {
-    const auto numberOf = [](const QString& text) {
-        bool isNumber = false;
-        const double number = QLocale::c().toDouble(text, &isNumber);
-        return isNumber && std::abs(number) <= limits::kNumber ? std::optional(number) : std::nullopt;
-    };
+    const auto numberOf = [](const QString& text) { return optionNumber(text, -limits::kNumber, limits::kNumber); };
     if (const QString fault = faultOfOptions(words, {u"output"_s, u"sheet"_s, u"scale"_s, u"offset"_s});
         !fault.isEmpty())
         return UsageError{fault};

@@ -1,9 +1,9 @@
 #include "app/commands/export_options.h"
 
+#include "app/commands/option_number.h"
 #include "ui/figures/frame_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <array>
 #include <cmath>
@@ -33,9 +33,8 @@ std::optional<double> lengthOf(QString text) {
         unit = known.millimetres;
         break;
     }
-    bool isNumber = false;
-    const double length = unit * QLocale::c().toDouble(text.trimmed(), &isNumber);
-    return isNumber && length >= 0 && length <= kMostPageSide ? std::optional(length) : std::nullopt;
+    const std::optional<double> count = optionNumber(text.trimmed(), 0, kMostPageSide / unit);
+    return count ? std::optional(*count * unit) : std::nullopt;
 }
 
 /// Takes the options one by one; the first that is wrong is told.
@@ -92,13 +91,11 @@ class ExportOptionReader {
     void readScale(DrawingOptions& drawing) {
         if (!has(u"scale"_s))
             return;
-        bool isNumber = false;
-        const double scale = QLocale::c().toDouble(options_.value(u"scale"_s), &isNumber);
-        if (!isNumber || !(scale >= kLeastScale && scale <= kMostScale))
+        drawing.mmPerUnit = optionNumber(options_.value(u"scale"_s), kLeastScale, kMostScale);
+        if (!drawing.mmPerUnit)
             refuse(tr("--scale is how many millimetres a unit has"));
         else if (has(u"width"_s))
             refuse(tr("--width and --scale do not go together"));
-        drawing.mmPerUnit = scale;
     }
     void readContent(DrawingOptions& drawing) {
         if (const std::optional<int> curve = number(u"curve"_s, 0, kMostCurve))
@@ -122,11 +119,12 @@ class ExportOptionReader {
         result.isAnimated = has(u"animate"_s);
         if (result.isAnimated && (result.frames.empty() || result.format != FigureFormat::svg))
             refuse(tr("--animate needs --frames and an SVG file"));
-        bool isNumber = true;
-        if (has(u"seconds"_s))
-            result.frameSeconds = QLocale::c().toDouble(options_.value(u"seconds"_s), &isNumber);
-        if (!isNumber || !(result.frameSeconds >= kLeastFrameSeconds && result.frameSeconds <= kMostFrameSeconds))
-            refuse(tr("--seconds is a number from %1 to %2").arg(kLeastFrameSeconds).arg(kMostFrameSeconds));
+        if (!has(u"seconds"_s))
+            return;
+        const auto seconds = optionNumber(options_.value(u"seconds"_s), kLeastFrameSeconds, kMostFrameSeconds);
+        if (!seconds)
+            return refuse(tr("--seconds is a number from %1 to %2").arg(kLeastFrameSeconds).arg(kMostFrameSeconds));
+        result.frameSeconds = *seconds;
     }
     std::optional<double> length(const QString& name) {
         if (!has(name))

@@ -3,7 +3,7 @@
 #include "core/combined/combined_curve.h"
 #include "core/document/editing/edited.h"
 #include "core/document/editing/grip.h"
-#include "core/document/frame_place.h"
+#include "core/document/view/frame_place.h"
 #include "core/figure/figure.h"
 
 #include <optional>

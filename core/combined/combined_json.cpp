@@ -1,7 +1,7 @@
 #include "core/combined/combined_json.h"
 
 #include "core/combined/combined_edits.h"
-#include "core/document/style_json.h"
+#include "core/document/view/style_json.h"
 #include "core/figure/labels.h"
 
 namespace kriva {

@@ -2,7 +2,7 @@
 
 #include "core/document/json/json_format.h"
 #include "core/document/limit_check.h"
-#include "core/document/style_json.h"
+#include "core/document/view/style_json.h"
 
 #include <algorithm>
 

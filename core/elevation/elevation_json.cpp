@@ -1,6 +1,6 @@
 #include "core/elevation/elevation_json.h"
 
-#include "core/document/style_json.h"
+#include "core/document/view/style_json.h"
 
 namespace kriva {
 

@@ -96,6 +96,13 @@ enum class Caption {
     interpolation,
     approximation,
     pairs,
+    // layers of plots
+    grid,
+    axisNumbers,
+    axes,
+    lines,
+    placeOnView,
+    legend,
 };
 
 } // namespace kriva

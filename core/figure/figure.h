@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/style.h"
+#include "core/document/view/style.h"
 #include "core/figure/caption.h"
 #include "core/geometry/box.h"
 

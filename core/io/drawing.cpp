@@ -7,11 +7,11 @@
 namespace kriva {
 namespace {
 
-std::vector<std::string> titlesOf(const Figure& figure, SheetIndex sheet, const TextSource& texts) {
+std::vector<std::string> titlesOf(const Figure& figure, std::span<const LayerInfo> table, const TextSource& texts) {
     std::vector<std::string> titles;
     for (const Layer& layer : figure.layers) {
-        const auto info = std::ranges::find(layersOf(sheet), layer.name, &LayerInfo::name);
-        titles.push_back(info == layersOf(sheet).end() ? std::string(layer.name) : texts.translate(info->caption));
+        const auto info = std::ranges::find(table, layer.name, &LayerInfo::name);
+        titles.push_back(info == table.end() ? std::string(layer.name) : texts.translate(info->caption));
     }
     return titles;
 }
@@ -27,12 +27,23 @@ std::string describe(SheetIndex sheet, const std::vector<std::string>& layerTitl
     return text;
 }
 
+/// Without its texts where the options say so.
+Figure lettered(Figure figure, const DrawingOptions& options) {
+    if (!options.hasLabels)
+        for (Layer& layer : figure.layers)
+            layer.labels.clear();
+    return figure;
+}
+
+bool has(const std::vector<std::string>& names, std::string_view name) {
+    return std::ranges::find(names, name) != names.end();
+}
+
 /// The sheet with only what the options name on view.
 Sheet chosen(Sheet sheet, SheetIndex index, const DrawingOptions& options) {
     if (options.layers)
         for (const LayerInfo& layer : layersOf(index))
-            sheet.view.layers[std::string(layer.name)] =
-                std::ranges::find(*options.layers, layer.name) != options.layers->end();
+            sheet.view.layers[std::string(layer.name)] = has(*options.layers, layer.name);
     if (options.curve) {
         sheet.view.activeCurve = static_cast<int>(*options.curve);
         for (std::size_t i = 0; i < sheet.curves.size(); ++i) {
@@ -44,14 +55,6 @@ Sheet chosen(Sheet sheet, SheetIndex index, const DrawingOptions& options) {
     return sheet;
 }
 
-Figure figureUnder(const Sheet& sheet, SheetIndex index, const DrawingOptions& options) {
-    Figure figure = figureOf(sheet, index);
-    if (!options.hasLabels)
-        for (Layer& layer : figure.layers)
-            layer.labels.clear();
-    return figure;
-}
-
 /// The figure of a sheet on the page of a box.
 Drawing drawn(Figure figure, const Box& box, const Document& document, SheetIndex sheet, const TextSource& texts,
               const DrawingOptions& options) {
@@ -59,7 +62,7 @@ Drawing drawn(Figure figure, const Box& box, const Document& document, SheetInde
     const std::optional<double>& scale = options.mmPerUnit ? options.mmPerUnit : document.sheets[sheet].view.mmPerUnit;
     drawing.page =
         options.width ? pageOfWidth(box, *options.width, options.margin) : pageOf(box, scale, options.margin);
-    drawing.layerTitles = titlesOf(figure, sheet, texts);
+    drawing.layerTitles = titlesOf(figure, layersOf(sheet), texts);
     drawing.figure = std::move(figure);
     drawing.title = document.title.empty() ? texts.translate(captionOf(sheet)) : document.title;
     drawing.description = describe(sheet, drawing.layerTitles, texts);
@@ -80,7 +83,7 @@ std::optional<FrameFigures> frameFigures(const Document& document, SheetIndex sh
         const std::optional<Sheet> frame = atFrame(onView, place);
         if (!frame)
             return {};
-        frames.figures.push_back(figureUnder(*frame, sheet, options));
+        frames.figures.push_back(lettered(figureOf(*frame, sheet), options));
         frames.box = united(frames.box, boxOf(frames.figures.back()));
     }
     return frames;
@@ -104,7 +107,7 @@ void move(Figure& figure, Vector by) {
 } // namespace
 
 Drawing drawingOf(const Document& document, SheetIndex sheet, const TextSource& texts, const DrawingOptions& options) {
-    Figure figure = figureUnder(chosen(document.sheets[sheet], sheet, options), sheet, options);
+    Figure figure = lettered(figureOf(chosen(document.sheets[sheet], sheet, options), sheet), options);
     const Box box = boxOf(figure);
     Drawing drawing = drawn(std::move(figure), box, document, sheet, texts, options);
     drawing.sheet = sheet;
@@ -139,12 +142,19 @@ std::optional<Drawing> frameStripOf(const Document& document, SheetIndex sheet, 
     return drawn(united(std::move(frames->figures), layersOf(sheet)), all, document, sheet, texts, options);
 }
 
-Drawing drawingOf(std::span<const Plot> plots, const TextSource& texts, Theme theme) {
-    const PlotSize size;
+Drawing drawingOf(std::span<const Plot> plots, const TextSource& texts, const DrawingOptions& options) {
+    PlotSize size;
+    if (options.width) {
+        const double width = *options.width - 2 * options.margin;
+        size = {width, width * size.height / size.width};
+    }
     Drawing drawing;
-    drawing.figure = plotFigure(plots, size);
-    drawing.page = plotPage(plots.size(), size);
-    drawing.theme = theme;
+    drawing.figure = lettered(plotFigure(plots, size), options);
+    if (options.layers)
+        std::erase_if(drawing.figure.layers, [&](const Layer& layer) { return !has(*options.layers, layer.name); });
+    drawing.page = plotPage(plots.size(), size, options.margin);
+    drawing.layerTitles = titlesOf(drawing.figure, plotLayers(), texts);
+    drawing.theme = options.theme;
     for (const Plot& plot : plots)
         drawing.title.append(drawing.title.empty() ? "" : ", ").append(texts.translate(plot.caption));
     drawing.description = drawing.title;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "core/document/figure_options.h"
+#include "core/document/view/figure_options.h"
 #include "core/figure/page.h"
 #include "core/figure/plot/plot.h"
 #include "core/figure/role_style.h"
@@ -17,7 +17,7 @@ struct Drawing {
     std::string title;
     std::string description;
     Theme theme = Theme::light;
-    bool hasPaper = true; ///< a background of the paper's colour
+    bool hasPaper = true;                 ///< a background of the paper's colour
     std::optional<SheetIndex> sheet = {}; ///< of which it is the figure, as it lies in the document
 };
 
@@ -35,7 +35,8 @@ struct Drawing {
                                                   std::span<const FramePlace> places, const TextSource& texts,
                                                   const DrawingOptions& options = {});
 
-/// Plots, each as large as PlotSize is at first, one above the other.
-[[nodiscard]] Drawing drawingOf(std::span<const Plot> plots, const TextSource& texts, Theme theme = Theme::light);
+/// Plots one above the other, each of the shape that PlotSize has at first and, without a width, of its size. They have
+/// no scale.
+[[nodiscard]] Drawing drawingOf(std::span<const Plot> plots, const TextSource& texts, const DrawingOptions& options);
 
 } // namespace kriva

@@ -1,6 +1,6 @@
 #include "core/spline/spline_json.h"
 
-#include "core/document/style_json.h"
+#include "core/document/view/style_json.h"
 #include "core/figure/labels.h"
 
 namespace kriva {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bezier/subdivide.h"
-#include "core/document/style.h"
+#include "core/document/view/style.h"
 #include "core/figure/caption.h"
 
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "core/document/editing/edited.h"
 #include "core/document/editing/grip.h"
-#include "core/document/frame_place.h"
+#include "core/document/view/frame_place.h"
 #include "core/figure/figure.h"
 #include "core/subdivision/subdivision.h"
 

@@ -1,6 +1,6 @@
 #include "core/subdivision/subdivision_json.h"
 
-#include "core/document/style_json.h"
+#include "core/document/view/style_json.h"
 #include "core/subdivision/subdivision_edits.h"
 
 #include <algorithm>

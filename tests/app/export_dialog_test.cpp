@@ -13,7 +13,7 @@ class ExportDialogTest : public test::PanelTest {
   protected:
     ExportDialogTest()
         : PanelTest(2)
-        , dialog_(document().value(), sheet_, {}) {
+        , dialog_(sheetToExport(document().value(), sheet_), {}) {
         dialog_.show();
     }
     [[nodiscard]] const Drawing& shown() { return dialog_.findChild<FigurePreview*>()->drawing(); }
@@ -80,7 +80,7 @@ TEST_F(ExportDialogTest, offersNoFramesOfASpline) {
 TEST(ExportDialogOfAnimation, showsTheFramesSideBySide) {
     Document document;
     document.sheets[0].curves = {withPointsAdded(emptyCurve(0), Points{{0, 0}, {1, 2}, {3, 2}, {4, 0}})};
-    ExportDialog dialog(document, 0, {});
+    ExportDialog dialog(sheetToExport(document, 0), {});
     dialog.show();
     const auto& preview = *dialog.findChild<FigurePreview*>();
     const auto width = [&] { return boxOf(preview.drawing().figure).width(); };
@@ -117,7 +117,7 @@ TEST_F(ExportDialogTest, beginsWithWhatWasChosenTheLastTime) {
     options.drawing = {.width = 77, .margin = 2, .layers = {{"curve", "knots"}}, .hasLabels = false};
     options.dpi = 150;
     options.isTransparent = true;
-    const ExportDialog again(document().value(), sheet_, options);
+    const ExportDialog again(sheetToExport(document().value(), sheet_), options);
     const FigureFileOptions kept = again.options();
     EXPECT_EQ(kept.format, FigureFormat::png);
     EXPECT_EQ(kept.drawing.width, 77);
@@ -126,6 +126,37 @@ TEST_F(ExportDialogTest, beginsWithWhatWasChosenTheLastTime) {
     EXPECT_FALSE(kept.drawing.hasLabels);
     EXPECT_EQ(kept.dpi, 150);
     EXPECT_TRUE(kept.isTransparent);
+}
+
+TEST(ExportDialogOfPlots, hasWhatPlotsHave) {
+    Plot plot;
+    plot.lines = {{graphPath(std::vector<double>{0, 1}, 0, 1), Role::plotLine, 0, Caption::none, "B", "1"}};
+    FigureFileOptions options;
+    options.drawing.margin = 2;
+    ExportDialog dialog(plotsToExport({plot, plot}), options);
+    dialog.show();
+    const auto offers = [&](const char* text) {
+        const auto boxes = dialog.findChildren<QCheckBox*>();
+        return std::ranges::any_of(
+            boxes, [&](const QCheckBox* box) { return box->isVisible() && box->text() == QLatin1String(text); });
+    };
+    EXPECT_TRUE(offers("&Own width"));
+    EXPECT_FALSE(offers("Own scale"));
+    EXPECT_FALSE(offers("The document &goes along, to open the file again"));
+    EXPECT_EQ(test::named<QComboBox>(dialog, "Format").count(), 4) << "it has no points";
+    test::click(test::saying<QCheckBox>(dialog, "&Own width"));
+    test::type(test::named<NumberField>(dialog, "Width (mm)"), "84");
+    const auto& preview = *dialog.findChild<FigurePreview*>();
+    EXPECT_EQ(preview.drawing().page.width, 84);
+    EXPECT_EQ(preview.drawing().page.height, 104) << "two of 80 by 50 and the margin";
+    auto& layers = test::named<QListWidget>(dialog, "Layers");
+    ASSERT_EQ(layers.item(0)->text(), QStringLiteral("Grid"));
+    layers.item(0)->setCheckState(Qt::Unchecked);
+    EXPECT_NE(preview.drawing().figure.layers.front().name, "plot-grid");
+    EXPECT_EQ(dialog.options().drawing.layers->size(), 6U);
+    test::click(test::saying<QCheckBox>(dialog, "Text&s in the figure"));
+    for (const Layer& layer : preview.drawing().figure.layers)
+        EXPECT_TRUE(layer.labels.empty());
 }
 
 class FigureExportTest : public test::PanelTest {

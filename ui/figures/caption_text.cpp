@@ -188,6 +188,18 @@ class Captions {
             return tr("Approximation");
         case Caption::pairs:
             return tr("Pairs");
+        case Caption::grid:
+            return tr("Grid");
+        case Caption::axisNumbers:
+            return tr("Numbers of the axes");
+        case Caption::axes:
+            return tr("Axes");
+        case Caption::lines:
+            return tr("Lines");
+        case Caption::placeOnView:
+            return tr("Place on view");
+        case Caption::legend:
+            return tr("Legend");
         }
         return {};
     }

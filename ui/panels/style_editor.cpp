@@ -1,6 +1,7 @@
 #include "ui/panels/style_editor.h"
 
 #include "core/figure/role_style.h"
+#include "ui/panels/controls/labelled_form.h"
 #include "ui/panels/controls/number_field.h"
 #include "ui/sheets/sheet_editor.h"
 
@@ -39,7 +40,7 @@ void fill(QComboBox& box, const std::array<const char*, size>& texts) {
 StyleEditor::StyleEditor(SheetEditor& editor, QWidget* parent)
     : QWidget(parent)
     , editor_(editor)
-    , form_(new QFormLayout(this))
+    , form_(new LabelledForm(this))
     , width_(new NumberField(this))
     , dash_(new QComboBox(this))
     , marker_(new QComboBox(this))
@@ -48,9 +49,8 @@ StyleEditor::StyleEditor(SheetEditor& editor, QWidget* parent)
     form_->setContentsMargins(4, 2, 4, 4);
     width_->setRange({kLeastWidth, kMostWidth});
     width_->setStep(kWidthStep);
-    form_->addRow(new QLabel(this), width_);
-    form_->addRow(new QLabel(this), dash_);
-    form_->addRow(new QLabel(this), marker_);
+    for (QWidget* field : std::initializer_list<QWidget*>{width_, dash_, marker_})
+        form_->addField(field);
     form_->addRow(labels_);
     form_->addRow(reset_);
     connectFields();
@@ -96,13 +96,9 @@ void StyleEditor::changeEvent(QEvent* event) {
 }
 
 void StyleEditor::retranslateUi() {
-    const auto name = [this](QWidget* field, const QString& text) {
-        static_cast<QLabel*>(form_->labelForField(field))->setText(text);
-        field->setAccessibleName(text);
-    };
-    name(width_, tr("Width of the line"));
-    name(dash_, tr("Line"));
-    name(marker_, tr("Marks of the points"));
+    form_->setLabel(width_, tr("Width of the line"));
+    form_->setLabel(dash_, tr("Line"));
+    form_->setLabel(marker_, tr("Marks of the points"));
     labels_->setText(tr("Labels"));
     labels_->setAccessibleName(tr("Labels"));
     reset_->setText(tr("Usual style"));

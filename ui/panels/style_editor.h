@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFormLayout>
 #include <QPushButton>
 
 namespace kriva {
@@ -11,6 +10,7 @@ struct CurveStyle;
 
 namespace kriva::ui {
 
+class LabelledForm;
 class NumberField;
 class SheetEditor;
 struct StepLabel;
@@ -32,7 +32,7 @@ class StyleEditor : public QWidget {
     void change(const CurveStyle& style, const StepLabel& label);
 
     SheetEditor& editor_;
-    QFormLayout* form_;
+    LabelledForm* form_;
     NumberField* width_;
     QComboBox* dash_;
     QComboBox* marker_;

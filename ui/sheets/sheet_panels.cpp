@@ -96,10 +96,10 @@ QWidget* SheetPanels::properties() const {
     return area;
 }
 
-QWidget* SheetPanels::plots() const {
+QWidget* SheetPanels::plots() {
     auto* panel = new PlotsPanel(editor_, ui_.plots);
     QObject::connect(panel, &PlotsPanel::exportRequested, &tab_,
-                     [this](const std::vector<Plot>& shown) { exportPlots(shown, &tab_); });
+                     [this](const std::vector<Plot>& shown) { exportPlots(shown, exportedPlots_, &tab_); });
     return panel;
 }
 

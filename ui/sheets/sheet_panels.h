@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/document/view/figure_options.h"
 #include "ui/sheets/results/sheet_relations.h"
 #include "ui/sheets/sheet_editor.h"
 #include "ui/sheets/sheet_ui.h"
@@ -57,7 +58,7 @@ class SheetPanels {
     void fill();
     [[nodiscard]] bool isLaidOut() const { return !firstLayout_.isEmpty(); }
     [[nodiscard]] QWidget* properties() const;
-    [[nodiscard]] QWidget* plots() const;
+    [[nodiscard]] QWidget* plots();
     [[nodiscard]] QWidget* guide();
     [[nodiscard]] QDockWidget* dockOf(const char* name) const;
     QDockWidget* bringToFront(const char* name);
@@ -71,6 +72,7 @@ class SheetPanels {
     std::vector<Panel> panels_;
     GuidePanel* guide_ = nullptr;
     const Example* example_ = nullptr;
+    FigureFileOptions exportedPlots_{.drawing = {.margin = 0}}; ///< how the last ones were
     QByteArray firstLayout_;
     QByteArray layout_; ///< for the panels once they are made
 };

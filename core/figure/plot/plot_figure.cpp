@@ -26,6 +26,21 @@ constexpr double kEntryHeight = 4.6;
 constexpr double kLeastEntryHeight = 3.4; ///< lines of text that do not touch
 constexpr double kSampleLength = 6;
 
+constexpr std::string_view kGrid = "plot-grid";
+constexpr std::string_view kNumbers = "plot-numbers";
+constexpr std::string_view kAxes = "plot-axes";
+constexpr std::string_view kLines = "plot-lines";
+constexpr std::string_view kGiven = "plot-given";
+constexpr std::string_view kAt = "plot-at";
+constexpr std::string_view kLegendLayer = "plot-legend";
+
+constexpr std::array kLayers{
+    LayerInfo{kGrid, Caption::grid},          LayerInfo{kNumbers, Caption::axisNumbers},
+    LayerInfo{kAxes, Caption::axes},          LayerInfo{kLines, Caption::lines},
+    LayerInfo{kGiven, Caption::points},       LayerInfo{kAt, Caption::placeOnView},
+    LayerInfo{kLegendLayer, Caption::legend},
+};
+
 bool hasName(const PlotLine& line) {
     return line.caption != Caption::none || !line.letter.empty();
 }
@@ -118,19 +133,19 @@ void addTicks(const PlotAxis& axis, bool isX, const Box& frame, Figure& figure) 
         const double part = along(axis, tick.at);
         const Point from = isX ? Point{frame.xmin + part * frame.width(), frame.ymin}
                                : Point{frame.xmin, frame.ymin + part * frame.height()};
-        addLine(layerOf(figure, "plot-grid"), from, isX ? Point{from.x, frame.ymax} : Point{frame.xmax, from.y},
+        addLine(layerOf(figure, kGrid), from, isX ? Point{from.x, frame.ymax} : Point{frame.xmax, from.y},
                 Role::gridLine);
         tick.label.at = from;
         tick.label.side = isX ? LabelSide::below : LabelSide::left;
-        layerOf(figure, "plot-numbers").labels.push_back(std::move(tick.label));
+        layerOf(figure, kNumbers).labels.push_back(std::move(tick.label));
     }
 }
 
 void addAxes(const Plot& plot, const Box& frame, Figure& figure) {
-    layerOf(figure, "plot-grid"); // below everything
+    layerOf(figure, kGrid); // below everything
     addTicks(plot.x, true, frame, figure);
     addTicks(plot.y, false, frame, figure);
-    Layer& axes = layerOf(figure, "plot-axes");
+    Layer& axes = layerOf(figure, kAxes);
     addLine(axes, {frame.xmin, frame.ymin}, {frame.xmax, frame.ymin}, Role::axis);
     addLine(axes, {frame.xmin, frame.ymin}, {frame.xmin, frame.ymax}, Role::axis);
     Label x{{frame.xmax, frame.ymin}, Caption::none, plot.x.variable, ""};
@@ -141,7 +156,7 @@ void addAxes(const Plot& plot, const Box& frame, Figure& figure) {
 }
 
 void addLines(const Plot& plot, const Box& frame, Figure& figure) {
-    Layer& lines = layerOf(figure, "plot-lines");
+    Layer& lines = layerOf(figure, kLines);
     for (const PlotLine& line : plot.lines) {
         std::vector<Points> joined;
         const auto finish = [&] {
@@ -167,7 +182,7 @@ void addLines(const Plot& plot, const Box& frame, Figure& figure) {
 void addMarks(const Plot& plot, const Box& frame, Figure& figure) {
     if (!plot.at || *plot.at < plot.x.low || *plot.at > plot.x.high)
         return;
-    Layer& layer = layerOf(figure, "plot-at");
+    Layer& layer = layerOf(figure, kAt);
     const double x = onPlot(plot, frame, {*plot.at, plot.y.low}).x;
     addLine(layer, {x, frame.ymin}, {x, frame.ymax}, Role::axis);
     Marks marks{{}, Role::plotMark};
@@ -184,14 +199,14 @@ void addGiven(const Plot& plot, const Box& frame, Figure& figure) {
         if (const Point mapped = onPlot(plot, frame, p); mapped.x >= frame.xmin && mapped.x <= frame.xmax)
             marks.at.push_back(mapped);
     if (!marks.at.empty())
-        layerOf(figure, "plot-given").marks.push_back(std::move(marks));
+        layerOf(figure, kGiven).marks.push_back(std::move(marks));
 }
 
 /// As far apart as they like, closer together where the plot is low; what then has no room is left out.
 void addLegend(const Plot& plot, const Box& frame, double bottom, double top, Figure& figure) {
     if (!hasLegend(plot))
         return;
-    Layer& layer = layerOf(figure, "plot-legend");
+    Layer& layer = layerOf(figure, kLegendLayer);
     const auto entries = static_cast<double>(std::ranges::count_if(plot.lines, hasName));
     const double step = std::clamp((top - bottom) / entries, kLeastEntryHeight, kEntryHeight);
     const bool isBesideFrame = frame.ymax - entries * step >= bottom;
@@ -220,6 +235,10 @@ void addPlot(const Plot& plot, const Box& frame, double bottom, double top, Figu
 }
 
 } // namespace
+
+std::span<const LayerInfo> plotLayers() {
+    return kLayers;
+}
 
 Box plotFrame(const Plot& plot, PlotSize size) {
     constexpr double kLeast = 10; // of a frame that has hardly any room
@@ -258,9 +277,9 @@ Figure plotFigure(std::span<const Plot> plots, PlotSize size) {
     return figure;
 }
 
-Page plotPage(std::size_t count, PlotSize size) {
-    const double height = size.height * static_cast<double>(count);
-    return {size.width, height, 1, 0, {0, 0, size.width, height}};
+Page plotPage(std::size_t count, PlotSize size, double margin) {
+    const Box box{0, 0, size.width, size.height * static_cast<double>(count)};
+    return pageOf(box, 1, margin);
 }
 
 } // namespace kriva

@@ -12,6 +12,9 @@ struct PlotSize {
     friend bool operator==(const PlotSize&, const PlotSize&) = default;
 };
 
+/// The layers of the figure of plots.
+[[nodiscard]] std::span<const LayerInfo> plotLayers();
+
 /// What of the page lies between the axes: x to the right and y up from the page's lower left corner, in millimetres.
 [[nodiscard]] Box plotFrame(const Plot& plot, PlotSize size);
 
@@ -23,7 +26,7 @@ struct PlotSize {
 /// legend where lines have names, and marks where the lines are at the place that the plot is about.
 [[nodiscard]] Figure plotFigure(std::span<const Plot> plots, PlotSize size);
 
-/// The page of so many plots, which fill it to the edge.
-[[nodiscard]] Page plotPage(std::size_t count, PlotSize size);
+/// The page of so many plots, with so much room around them.
+[[nodiscard]] Page plotPage(std::size_t count, PlotSize size, double margin);
 
 } // namespace kriva

@@ -26,10 +26,10 @@ std::vector<FrameLayer> frameLayers(std::span<const Drawing> frames, const TextS
     }
     for (FrameLayer& layer : layers) {
         const FrameLayer::Part& first = layer.parts.front();
-        layer.standsStill = layer.parts.size() == frames.size() &&
-                            std::ranges::all_of(layer.parts, [&](const FrameLayer::Part& part) {
-                                return layerOf(part) == layerOf(first) && part.labels == first.labels;
-                            });
+        layer.standsStill =
+            layer.parts.size() == frames.size() && std::ranges::all_of(layer.parts, [&](const FrameLayer::Part& part) {
+                return layerOf(part) == layerOf(first) && part.labels == first.labels;
+            });
     }
     return layers;
 }

@@ -1,5 +1,4 @@
 #include "core/exchange/drawn_document.h"
-
 #include "core/io/svg/drawn_sheet.h"
 #include "core/io/svg/svg_reader.h"
 #include "core/io/svg/svg_writer.h"
@@ -61,13 +60,15 @@ TEST(DrawnDocument, isNoneWhereOthersWroteTheSameLines) {
     const std::string svg = figureOf(document, kElevation);
     const std::string own = R"(d="M 6,46 C 16,6 36,6 46,46")";
     EXPECT_FALSE(drawnDocument(replaced(svg, own, R"(d="m 6,46 c 10,-40 30,-40.0004 40,0")"), document));
-    EXPECT_FALSE(drawnDocument(replaced(svg, own, R"-(transform="translate(6 46)" d="M0 0C10-40 30-40 40 0")-"), document));
+    EXPECT_FALSE(
+        drawnDocument(replaced(svg, own, R"-(transform="translate(6 46)" d="M0 0C10-40 30-40 40 0")-"), document));
     EXPECT_TRUE(drawnDocument(replaced(svg, own, R"(d="m 6,46 c 10,-40 30,-40.002 40,0")"), document));
 }
 
 TEST(DrawnDocument, takesWhatChangedAndKeepsTheRest) {
     const Document document = twoCubics();
-    const std::string svg = replaced(figureOf(document, kElevation), "M 6,46 C 16,6 36,6 46,46", "M 6,46 C 16,6 36,6 56,36");
+    const std::string svg =
+        replaced(figureOf(document, kElevation), "M 6,46 C 16,6 36,6 46,46", "M 6,46 C 16,6 36,6 56,36");
     Document expected = document;
     std::get<ElevationCurve>(expected.sheets[kElevation].curves[0]).points.back() = {5, 1};
     EXPECT_EQ(drawnDocument(svg, document), expected) << "with its name and its colour";
@@ -96,8 +97,9 @@ TEST(DrawnDocument, keepsCurvesThatWereNotDrawn) {
 
 TEST(DrawnDocument, hasWhatWasDrawnBesides) {
     const Document document = twoCubics();
-    const std::string svg = replaced(figureOf(document, kElevation), "<path id=\"curve-1\"",
-                                     R"(<path id="p7" inkscape:label="New" d="M 6,46 Q 16,6 26,46"/><path id="curve-1")");
+    const std::string svg =
+        replaced(figureOf(document, kElevation), "<path id=\"curve-1\"",
+                 R"(<path id="p7" inkscape:label="New" d="M 6,46 Q 16,6 26,46"/><path id="curve-1")");
     const auto drawn = drawnDocument(svg, document);
     ASSERT_TRUE(drawn);
     const std::vector<Curve>& curves = drawn->sheets[kElevation].curves;

@@ -139,7 +139,7 @@ TEST(PlotFigure, putsPlotsOneAboveTheOther) {
     const std::vector<Plot> plots{bernsteinPlot(2, 0.5), bernsteinPlot(3, 0.5)};
     const PlotSize size{100, 60};
     const Figure figure = plotFigure(plots, size);
-    const Page page = plotPage(2, size);
+    const Page page = plotPage(2, size, 0);
     EXPECT_EQ(page.height, 120);
     const Layer& lines = *find(figure, "plot-lines");
     ASSERT_EQ(lines.strokes.size(), 7U);

@@ -86,6 +86,26 @@ TEST(Frames, haveOnePageAndTheirStages) {
     }
 }
 
+TEST(DrawingOfPlots, hasTheSizeLayersAndTitlesAskedFor) {
+    Plot plot;
+    plot.lines = {{polyline(Points{{0, 0}, {1, 1}})}};
+    const Drawing usual = drawingOf({&plot, 1}, kDrawingTexts, {.margin = 0});
+    EXPECT_EQ(usual.page.width, 120);
+    EXPECT_EQ(usual.page.height, 75);
+    EXPECT_EQ(usual.layerTitles.size(), usual.figure.layers.size());
+    const Drawing small = drawingOf({&plot, 1}, kDrawingTexts, {.width = 86, .margin = 3, .layers = {{"plot-lines"}}});
+    EXPECT_EQ(small.page.width, 86);
+    EXPECT_EQ(small.page.height, 56);
+    ASSERT_EQ(small.figure.layers.size(), 1U);
+    EXPECT_EQ(small.figure.layers[0].name, "plot-lines");
+    EXPECT_EQ(small.layerTitles.size(), 1U);
+    for (const Stroke& stroke : small.figure.layers[0].strokes)
+        for (const Point p : stroke.path.points) {
+            EXPECT_GE(onPage(small.page, p).x, 3);
+            EXPECT_LE(onPage(small.page, p).x, 83);
+        }
+}
+
 TEST(Frames, areOnlyThoseThatTheCurveHas) {
     const auto has = [](const Document& document, SheetIndex sheet, FramePlace place) {
         return framesOf(document, sheet, {&place, 1}, kDrawingTexts).has_value();

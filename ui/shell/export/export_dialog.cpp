@@ -25,12 +25,11 @@ constexpr double kUsualDecimals = 3;
 
 } // namespace
 
-ExportDialog::ExportDialog(Document document, SheetIndex sheet, const FigureFileOptions& options, QWidget* parent)
+ExportDialog::ExportDialog(ExportSubject subject, const FigureFileOptions& options, QWidget* parent)
     : QDialog(parent)
-    , document_(std::move(document))
-    , sheet_(sheet)
+    , subject_(std::move(subject))
     , preview_(new FigurePreview(this))
-    , form_(new QFormLayout)
+    , form_(new LabelledForm)
     , format_(new QComboBox(this))
     , hasOwnWidth_(new QCheckBox(this))
     , width_(new NumberField(this))
@@ -62,7 +61,8 @@ ExportDialog::ExportDialog(Document document, SheetIndex sheet, const FigureFile
 
 void ExportDialog::fill(const FigureFileOptions& options) {
     for (const FigureFormat format : kFormatsInOrder)
-        format_->addItem(QString(), static_cast<int>(format));
+        if (subject_.isSheet || format != FigureFormat::csv)
+            format_->addItem(QString(), static_cast<int>(format));
     format_->setCurrentIndex(format_->findData(static_cast<int>(options.format)));
     theme_->addItems({QString(), QString()});
     theme_->setCurrentIndex(options.drawing.theme == Theme::dark ? 1 : 0);
@@ -99,7 +99,7 @@ void ExportDialog::layOut() {
                                          frames_,      isAnimated_,  frameSeconds_, holdsDocument_, hasInkscapeLayers_,
                                          hasOutlines_, isRounded_,   decimals_,     dpi_,           isTransparent_,
                                          isFragment_})
-        addRow(field);
+        qobject_cast<QCheckBox*>(field) ? form_->addRow(field) : form_->addField(field);
     auto* fields = new QVBoxLayout;
     fields->addLayout(form_);
     fields->addStretch(1);
@@ -111,20 +111,11 @@ void ExportDialog::layOut() {
     layout->addWidget(buttons_);
 }
 
-void ExportDialog::addRow(QWidget* field) {
-    if (qobject_cast<QCheckBox*>(field))
-        return form_->addRow(field);
-    auto* label = new QLabel(this);
-    label->setBuddy(field);
-    form_->addRow(label, field);
-}
-
 void ExportDialog::fillLayers(const DrawingOptions& drawing) {
-    const Sheet& sheet = document_.sheets[sheet_];
-    for (const LayerInfo& layer : layersOf(sheet_)) {
+    for (const ExportSubject::LayerChoice& layer : subject_.layers) {
         auto* item = new QListWidgetItem(layers_);
-        const bool isChosen = drawing.layers ? std::ranges::find(*drawing.layers, layer.name) != drawing.layers->end()
-                                             : isShown(layer, sheet.view);
+        const bool isChosen =
+            drawing.layers ? std::ranges::find(*drawing.layers, layer.name) != drawing.layers->end() : layer.isShown;
         item->setCheckState(isChosen ? Qt::Checked : Qt::Unchecked);
     }
     layers_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
@@ -160,23 +151,23 @@ void ExportDialog::retranslateUi() {
     setWindowTitle(tr("Export figure"));
     const QStringList formats{tr("SVG figure"), tr("PDF page"), tr("PNG picture"), tr("TikZ for LaTeX"),
                               tr("CSV of the points")};
-    for (int i = 0; i < formats.size(); ++i)
+    for (int i = 0; i < format_->count(); ++i)
         format_->setItemText(i, formats[i]);
     theme_->setItemText(0, tr("Light"));
     theme_->setItemText(1, tr("Dark"));
     for (int i = 0; i < layers_->count(); ++i)
-        layers_->item(i)->setText(captionText(layersOf(sheet_)[static_cast<std::size_t>(i)].caption));
-    setRowText(format_, tr("&Format"));
-    setRowText(width_, tr("&Width (mm)"));
-    setRowText(scale_, tr("Scale (mm for a unit)"));
-    setRowText(margin_, tr("&Margin (mm)"));
-    setRowText(size_, tr("Page"));
-    setRowText(theme_, tr("&Colours"));
-    setRowText(layers_, tr("La&yers"));
-    setRowText(frames_, tr("Fra&mes"));
-    setRowText(frameSeconds_, tr("Seconds of &a frame"));
-    setRowText(decimals_, tr("D&ecimals"));
-    setRowText(dpi_, tr("&Dots per inch"));
+        layers_->item(i)->setText(captionText(subject_.layers[static_cast<std::size_t>(i)].caption));
+    form_->setLabel(format_, tr("&Format"));
+    form_->setLabel(width_, tr("&Width (mm)"));
+    form_->setLabel(scale_, tr("Scale (mm for a unit)"));
+    form_->setLabel(margin_, tr("&Margin (mm)"));
+    form_->setLabel(size_, tr("Page"));
+    form_->setLabel(theme_, tr("&Colours"));
+    form_->setLabel(layers_, tr("La&yers"));
+    form_->setLabel(frames_, tr("Fra&mes"));
+    form_->setLabel(frameSeconds_, tr("Seconds of &a frame"));
+    form_->setLabel(decimals_, tr("D&ecimals"));
+    form_->setLabel(dpi_, tr("&Dots per inch"));
     frames_->setPlaceholderText(tr("0; 5; 10 or 0..10 or t = 0.25; 0.5"));
     isAnimated_->setText(tr("A&nimated"));
     hasOwnWidth_->setText(tr("&Own width"));
@@ -188,33 +179,28 @@ void ExportDialog::retranslateUi() {
     isRounded_->setText(tr("&Round coordinates"));
     isTransparent_->setText(tr("&Transparent"));
     isFragment_->setText(tr("A &part for another document"));
-    layers_->setAccessibleName(tr("Layers"));
     preview_->setAccessibleName(tr("The figure as it will be"));
     buttons_->button(QDialogButtonBox::Save)->setText(tr("E&xport…"));
-}
-
-void ExportDialog::setRowText(QWidget* field, const QString& text) {
-    auto* label = static_cast<QLabel*>(form_->labelForField(field));
-    label->setText(text);
-    field->setAccessibleName(QString(text).remove(u'&'));
 }
 
 void ExportDialog::showFormat() {
     const FigureFormat shown = format();
     const bool isFigure = shown != FigureFormat::csv;
-    for (QWidget* field : std::initializer_list<QWidget*>{hasOwnWidth_, width_, hasOwnScale_, scale_, margin_, size_,
-                                                          theme_, hasTexts_, layers_})
-        form_->setRowVisible(field, isFigure);
-    form_->setRowVisible(frames_, isFigure && hasFrames());
-    const bool mayBeAnimated = shown == FigureFormat::svg && !frames_->text().trimmed().isEmpty() && hasFrames();
-    form_->setRowVisible(isAnimated_, mayBeAnimated);
-    form_->setRowVisible(frameSeconds_, mayBeAnimated && isAnimated_->isChecked());
-    for (QWidget* field :
-         std::initializer_list<QWidget*>{holdsDocument_, hasInkscapeLayers_, hasOutlines_, isRounded_, decimals_})
-        form_->setRowVisible(field, shown == FigureFormat::svg);
-    form_->setRowVisible(dpi_, shown == FigureFormat::png);
-    form_->setRowVisible(isTransparent_, shown == FigureFormat::png);
-    form_->setRowVisible(isFragment_, shown == FigureFormat::tikz);
+    const bool isSvg = shown == FigureFormat::svg;
+    const auto show = [this](std::initializer_list<QWidget*> fields, bool isVisible) {
+        for (QWidget* field : fields)
+            form_->setRowVisible(field, isVisible);
+    };
+    show({hasOwnWidth_, width_, margin_, size_, theme_, hasTexts_, layers_}, isFigure);
+    show({hasOwnScale_, scale_}, isFigure && subject_.isSheet);
+    show({frames_}, isFigure && subject_.hasFrames);
+    const bool mayBeAnimated = isSvg && subject_.hasFrames && !frames_->text().trimmed().isEmpty();
+    show({isAnimated_}, mayBeAnimated);
+    show({frameSeconds_}, mayBeAnimated && isAnimated_->isChecked());
+    show({holdsDocument_}, isSvg && subject_.isSheet);
+    show({hasInkscapeLayers_, hasOutlines_, isRounded_, decimals_}, isSvg);
+    show({dpi_, isTransparent_}, shown == FigureFormat::png);
+    show({isFragment_}, shown == FigureFormat::tikz);
     width_->setEnabled(hasOwnWidth_->isChecked());
     scale_->setEnabled(hasOwnScale_->isChecked());
     decimals_->setEnabled(isRounded_->isChecked());
@@ -223,7 +209,7 @@ void ExportDialog::showFormat() {
 
 void ExportDialog::showDrawing() {
     const FigureFileOptions wanted = options();
-    Drawing drawing = this->drawing(wanted);
+    Drawing drawing = subject_.drawing(wanted);
     drawing.hasPaper = !wanted.isTransparent || wanted.format != FigureFormat::png;
     const Page& page = drawing.page;
     const QLocale locale;
@@ -235,17 +221,6 @@ void ExportDialog::showDrawing() {
     preview_->setDrawing(std::move(drawing));
 }
 
-Drawing ExportDialog::drawing(const FigureFileOptions& wanted) const {
-    if (!wanted.frames.empty())
-        if (auto strip = frameStripOf(document_, sheet_, wanted.frames, textSource(), wanted.drawing))
-            return *std::move(strip);
-    return drawingOf(document_, sheet_, textSource(), wanted.drawing);
-}
-
-bool ExportDialog::hasFrames() const {
-    return atFrame(document_.sheets[sheet_], {}).has_value();
-}
-
 FigureFormat ExportDialog::format() const {
     return static_cast<FigureFormat>(format_->currentData().toInt());
 }
@@ -254,7 +229,7 @@ std::vector<std::string> ExportDialog::checkedLayers() const {
     std::vector<std::string> names;
     for (int i = 0; i < layers_->count(); ++i)
         if (layers_->item(i)->checkState() == Qt::Checked)
-            names.emplace_back(layersOf(sheet_)[static_cast<std::size_t>(i)].name);
+            names.emplace_back(subject_.layers[static_cast<std::size_t>(i)].name);
     return names;
 }
 
@@ -278,7 +253,7 @@ FigureFileOptions ExportDialog::options() const {
     options.dpi = static_cast<int>(dpi_->value());
     options.isTransparent = isTransparent_->isChecked();
     options.tikz = isFragment_->isChecked() ? TikzKind::fragment : TikzKind::standalone;
-    if (hasFrames())
+    if (subject_.hasFrames)
         options.frames = readFramePlaces(frames_->text()).value_or(std::vector<FramePlace>());
     options.isAnimated = isAnimated_->isChecked() && !options.frames.empty() && options.format == FigureFormat::svg;
     options.frameSeconds = frameSeconds_->value();

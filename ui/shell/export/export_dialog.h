@@ -2,24 +2,25 @@
 
 #include "ui/figures/figure_file.h"
 #include "ui/figures/figure_preview.h"
+#include "ui/panels/controls/labelled_form.h"
 #include "ui/panels/controls/number_field.h"
+#include "ui/shell/export/export_subject.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 
 namespace kriva::ui {
 
-/// How the figure of a sheet is to be written, with the figure beside it as it will be.
+/// How a figure is to be written, with the figure beside it as it will be.
 class ExportDialog : public QDialog {
     Q_OBJECT
   public:
-    ExportDialog(Document document, SheetIndex sheet, const FigureFileOptions& options, QWidget* parent = nullptr);
+    ExportDialog(ExportSubject subject, const FigureFileOptions& options, QWidget* parent = nullptr);
 
     [[nodiscard]] FigureFileOptions options() const;
 
@@ -29,24 +30,18 @@ class ExportDialog : public QDialog {
   private:
     void fill(const FigureFileOptions& options);
     void layOut();
-    void addRow(QWidget* field);
     void fillLayers(const DrawingOptions& drawing);
     void connectFields();
     void retranslateUi();
-    void setRowText(QWidget* field, const QString& text);
     /// What only some formats have is there for them alone.
     void showFormat();
     void showDrawing();
     [[nodiscard]] FigureFormat format() const;
-    /// Whether the active curve has an animation.
-    [[nodiscard]] bool hasFrames() const;
-    [[nodiscard]] Drawing drawing(const FigureFileOptions& wanted) const;
     [[nodiscard]] std::vector<std::string> checkedLayers() const;
 
-    const Document document_;
-    const SheetIndex sheet_;
+    const ExportSubject subject_;
     FigurePreview* preview_;
-    QFormLayout* form_;
+    LabelledForm* form_;
     QComboBox* format_;
     QCheckBox* hasOwnWidth_;
     NumberField* width_;

@@ -70,15 +70,17 @@ FigureFileOptions optionsOf(const SheetEditor& editor) {
 
 } // namespace
 
-void exportPlots(const std::vector<Plot>& plots, QWidget* window) {
-    const QStringList filters{filterFor(FigureFormat::svg), filterFor(FigureFormat::pdf), filterFor(FigureFormat::png),
-                              filterFor(FigureFormat::tikz)};
-    const std::optional<QString> path = askForFile(QStringLiteral("plot.svg"), filters, window);
+void exportPlots(const std::vector<Plot>& plots, FigureFileOptions& options, QWidget* window) {
+    ExportDialog dialog(plotsToExport(plots), options, window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    options = dialog.options();
+    const QString proposed = QStringLiteral("plot%1").arg(suffixOf(options.format));
+    const std::optional<QString> path = askForFile(proposed, {filterFor(options.format)}, window);
     if (!path)
         return;
-    FigureFileOptions options;
-    options.format = figureFormatOf(*path).value_or(FigureFormat::svg);
-    writeOrTell(drawingFile(drawingOf(plots, textSource()), options), *path, window);
+    options.format = figureFormatOf(*path).value_or(options.format);
+    writeOrTell(drawingFile(drawingOf(plots, textSource(), options.drawing), options), *path, window);
 }
 
 FigureExport::FigureExport(QWidget* window)
@@ -86,7 +88,7 @@ FigureExport::FigureExport(QWidget* window)
     , window_(window) {}
 
 void FigureExport::ask(const SheetEditor& editor, const QString& name) {
-    ExportDialog dialog(editor.documentOnView(), editor.index(), optionsOf(editor), window_);
+    ExportDialog dialog(sheetToExport(editor.documentOnView(), editor.index()), optionsOf(editor), window_);
     if (dialog.exec() != QDialog::Accepted)
         return;
     const FigureFormat format = dialog.options().format;

@@ -13,8 +13,8 @@ namespace kriva::ui {
 
 class SheetEditor;
 
-/// Asks for a file and writes plots into it, one above the other, in any format of figures.
-void exportPlots(const std::vector<Plot>& plots, QWidget* window);
+/// Asks how and into which file plots go, one above the other; the options begin with the last ones.
+void exportPlots(const std::vector<Plot>& plots, FigureFileOptions& options, QWidget* window);
 
 /// The ways of a tab's figure out of the window: into files and onto the clipboard, always the stage on view.
 class FigureExport : public QObject {

@@ -9,7 +9,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include <array>
 #include <utility>
 
 namespace kriva::ui {
@@ -27,7 +26,7 @@ ImportDialog::ImportDialog(std::vector<ImportedPath> paths, SheetIndex sheet, QW
     , preview_(new FigurePreview(this))
     , list_(new QListWidget(this))
     , listLabel_(new QLabel(this))
-    , form_(new QFormLayout)
+    , form_(new LabelledForm)
     , scale_(new NumberField(this))
     , x_(new NumberField(this))
     , y_(new NumberField(this))
@@ -57,11 +56,8 @@ void ImportDialog::fill() {
 }
 
 void ImportDialog::layOut() {
-    for (NumberField* field : {scale_, x_, y_}) {
-        auto* label = new QLabel(this);
-        label->setBuddy(field);
-        form_->addRow(label, field);
-    }
+    for (NumberField* field : {scale_, x_, y_})
+        form_->addField(field);
     listLabel_->setBuddy(list_);
     told_->setWordWrap(true);
     auto* fields = new QVBoxLayout;
@@ -89,12 +85,9 @@ void ImportDialog::retranslateUi() {
     list_->setAccessibleName(tr("Curves"));
     for (int i = 0; i < list_->count(); ++i)
         list_->item(i)->setText(nameOfPath(i));
-    const std::array texts{std::pair(scale_, tr("&Scale")), std::pair(x_, tr("Move by &x")),
-                           std::pair(y_, tr("Move by &y"))};
-    for (const auto& [field, text] : texts) {
-        static_cast<QLabel*>(form_->labelForField(field))->setText(text);
-        field->setAccessibleName(QString(text).remove(u'&'));
-    }
+    form_->setLabel(scale_, tr("&Scale"));
+    form_->setLabel(x_, tr("Move by &x"));
+    form_->setLabel(y_, tr("Move by &y"));
     preview_->setAccessibleName(tr("The curves as they will be"));
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Import"));
     showCurves();

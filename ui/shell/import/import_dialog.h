@@ -2,11 +2,11 @@
 
 #include "core/exchange/imported.h"
 #include "ui/figures/figure_preview.h"
+#include "ui/panels/controls/labelled_form.h"
 #include "ui/panels/controls/number_field.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QFormLayout>
 #include <QLabel>
 #include <QListWidget>
 
@@ -39,7 +39,7 @@ class ImportDialog : public QDialog {
     FigurePreview* preview_;
     QListWidget* list_;
     QLabel* listLabel_;
-    QFormLayout* form_;
+    LabelledForm* form_;
     NumberField* scale_;
     NumberField* x_;
     NumberField* y_;

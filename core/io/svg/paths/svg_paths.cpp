@@ -61,8 +61,9 @@ class SvgPaths {
 
     /// Where the outermost elements are; nothing where the page's size cannot be read.
     std::optional<Place> outermost();
-    [[nodiscard]] pugi::xml_node ownLayer() const { return 
-        root_.find_child_by_attribute("id", std::string(kSvgLayerId).append(kCurveLayer).c_str()); }
+    [[nodiscard]] pugi::xml_node ownLayer() const {
+        return root_.find_child_by_attribute("id", std::string(kSvgLayerId).append(kCurveLayer).c_str());
+    }
 
     // Each of these gives false where there is a fault.
     bool children(const pugi::xml_node& parent, const Place& place);

@@ -1,6 +1,6 @@
-#include "core/document/style_json.h"
+#include "core/document/view/style_json.h"
 
-#include "core/document/figure_options_json.h"
+#include "core/document/view/figure_options_json.h"
 #include "core/figure/color.h"
 
 namespace kriva {

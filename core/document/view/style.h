@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/figure_options.h"
+#include "core/document/view/figure_options.h"
 
 #include <compare>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "core/document/figure_options_json.h"
+#include "core/document/view/figure_options_json.h"
 
 namespace kriva {
 namespace {

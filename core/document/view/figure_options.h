@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/frame_place.h"
+#include "core/document/view/frame_place.h"
 #include "core/figure/page.h"
 #include "core/figure/theme.h"
 

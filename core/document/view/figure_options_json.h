@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/document/figure_options.h"
 #include "core/document/json/json_node.h"
 #include "core/document/json/json_writer.h"
+#include "core/document/view/figure_options.h"
 
 #include <span>
 

@@ -2,7 +2,7 @@
 
 #include "core/document/json/json_node.h"
 #include "core/document/json/json_writer.h"
-#include "core/document/style.h"
+#include "core/document/view/style.h"
 
 namespace kriva {
 

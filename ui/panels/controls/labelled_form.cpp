@@ -1,0 +1,18 @@
+#include "ui/panels/controls/labelled_form.h"
+
+#include <QLabel>
+
+namespace kriva::ui {
+
+void LabelledForm::addField(QWidget* field) {
+    auto* label = new QLabel(field->parentWidget());
+    label->setBuddy(field);
+    addRow(label, field);
+}
+
+void LabelledForm::setLabel(QWidget* field, const QString& text) {
+    static_cast<QLabel*>(labelForField(field))->setText(text);
+    field->setAccessibleName(QString(text).remove(u'&'));
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,40 @@
+#include "ui/shell/export/export_subject.h"
+
+#include "core/figure/plot/plot_figure.h"
+#include "ui/figures/caption_text.h"
+
+namespace kriva::ui {
+namespace {
+
+Drawing drawn(const Document& document, SheetIndex sheet, const FigureFileOptions& options) {
+    if (!options.frames.empty())
+        if (auto strip = frameStripOf(document, sheet, options.frames, textSource(), options.drawing))
+            return *std::move(strip);
+    return drawingOf(document, sheet, textSource(), options.drawing);
+}
+
+} // namespace
+
+ExportSubject sheetToExport(Document document, SheetIndex sheet) {
+    ExportSubject subject;
+    for (const LayerInfo& layer : layersOf(sheet))
+        subject.layers.push_back({layer.name, layer.caption, isShown(layer, document.sheets[sheet].view)});
+    subject.hasFrames = atFrame(document.sheets[sheet], {}).has_value();
+    subject.drawing = [document = std::move(document), sheet](const FigureFileOptions& options) {
+        return drawn(document, sheet, options);
+    };
+    return subject;
+}
+
+ExportSubject plotsToExport(std::vector<Plot> plots) {
+    ExportSubject subject;
+    for (const LayerInfo& layer : plotLayers())
+        subject.layers.push_back({layer.name, layer.caption});
+    subject.isSheet = false;
+    subject.drawing = [plots = std::move(plots)](const FigureFileOptions& options) {
+        return drawingOf(plots, textSource(), options.drawing);
+    };
+    return subject;
+}
+
+} // namespace kriva::ui
