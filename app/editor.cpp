@@ -11,6 +11,8 @@
 
 #include <QApplication>
 
+#include <functional>
+
 namespace kriva {
 
 int runEditor(QApplication& application, const QStringList& files, std::optional<ui::Language> asked) {
@@ -22,9 +24,10 @@ int runEditor(QApplication& application, const QStringList& files, std::optional
     ui::ThemeSwitch theme(preferences.theme(), desktop);
     const auto sheets = sheetCatalog();
     const ui::MainWindow::Surroundings surroundings{preferences, language, theme, sheets};
-    const auto open = [&](const QString& file) {
+    const std::function<void(const QString&)> open = [&](const QString& file) {
         auto* window = new ui::MainWindow(surroundings);
         window->setAttribute(Qt::WA_DeleteOnClose);
+        QObject::connect(window, &ui::MainWindow::newWindowAsked, window, [&open] { open({}); });
         window->session().show(ui::startDocument()); // laid out once, before it is seen
         window->show();
         if (!file.isEmpty())

@@ -211,6 +211,10 @@
         <source>&amp;Print…</source>
         <translation>П&amp;ечат…</translation>
     </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>Нов п&amp;розорец</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -1462,6 +1466,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Click: how this point is worked out, in Tables</source>
         <translation>Щракване: как се изчислява тази точка, в „Таблици“</translation>
     </message>
+    <message>
+        <source>The shape stays as it is</source>
+        <translation>Формата остава същата</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -2358,6 +2366,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>The degree cannot fall any more</source>
         <translation>Степента не може да се понижи повече</translation>
     </message>
+    <message>
+        <source>The curve then stays as it is</source>
+        <translation>Тогава кривата остава същата</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::ExportDialog</name>
@@ -2398,10 +2410,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>&amp;Формат</translation>
     </message>
     <message>
-        <source>&amp;Width (mm)</source>
-        <translation>&amp;Ширина (mm)</translation>
-    </message>
-    <message>
         <source>&amp;Margin (mm)</source>
         <translation>&amp;Поле (mm)</translation>
     </message>
@@ -2424,10 +2432,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>&amp;Dots per inch</source>
         <translation>&amp;Точки на инч</translation>
-    </message>
-    <message>
-        <source>&amp;Own width</source>
-        <translation>&amp;Своя ширина</translation>
     </message>
     <message>
         <source>Text&amp;s in the figure</source>
@@ -2490,8 +2494,16 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Мащаб (mm за единица)</translation>
     </message>
     <message>
-        <source>Own scale</source>
-        <translation>Свой мащаб</translation>
+        <source>Width (mm)</source>
+        <translation>Ширина (mm)</translation>
+    </message>
+    <message>
+        <source>Set the &amp;width</source>
+        <translation>Задаване на &amp;ширината</translation>
+    </message>
+    <message>
+        <source>Set the scale</source>
+        <translation>Задаване на мащаба</translation>
     </message>
 </context>
 <context>
@@ -2844,6 +2856,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Shows the de Casteljau scheme at these t as well, like 0.25; 0.75</source>
         <translation>Показва схемата на дьо Кастелжо и при тези t, например 0,25; 0,75</translation>
+    </message>
+    <message>
+        <source>Show the pieces</source>
+        <translation>Показване на частите</translation>
     </message>
 </context>
 <context>

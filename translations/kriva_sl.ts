@@ -211,6 +211,10 @@
         <source>&amp;Print…</source>
         <translation>N&amp;atisni …</translation>
     </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>Odp&amp;ri novo okno</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -1464,6 +1468,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>Click: how this point is worked out, in Tables</source>
         <translation>Klik: kako je ta točka izračunana, v Tabelah</translation>
     </message>
+    <message>
+        <source>The shape stays as it is</source>
+        <translation>Oblika ostane enaka</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -2360,6 +2368,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>The degree cannot fall any more</source>
         <translation>Stopnje ni mogoče več znižati</translation>
     </message>
+    <message>
+        <source>The curve then stays as it is</source>
+        <translation>Krivulja pri tem ostane enaka</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::ExportDialog</name>
@@ -2400,10 +2412,6 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <translation>&amp;Oblika zapisa</translation>
     </message>
     <message>
-        <source>&amp;Width (mm)</source>
-        <translation>&amp;Širina (mm)</translation>
-    </message>
-    <message>
         <source>&amp;Margin (mm)</source>
         <translation>&amp;Rob (mm)</translation>
     </message>
@@ -2426,10 +2434,6 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>&amp;Dots per inch</source>
         <translation>Pik na pal&amp;ec</translation>
-    </message>
-    <message>
-        <source>&amp;Own width</source>
-        <translation>&amp;Lastna širina</translation>
     </message>
     <message>
         <source>Text&amp;s in the figure</source>
@@ -2492,8 +2496,16 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <translation>Merilo (mm na enoto)</translation>
     </message>
     <message>
-        <source>Own scale</source>
-        <translation>Lastno merilo</translation>
+        <source>Width (mm)</source>
+        <translation>Širina (mm)</translation>
+    </message>
+    <message>
+        <source>Set the &amp;width</source>
+        <translation>Določi &amp;širino</translation>
+    </message>
+    <message>
+        <source>Set the scale</source>
+        <translation>Določi merilo</translation>
     </message>
 </context>
 <context>
@@ -2848,6 +2860,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Shows the de Casteljau scheme at these t as well, like 0.25; 0.75</source>
         <translation>Pokaže de Casteljaujevo shemo tudi pri teh t, na primer 0,25; 0,75</translation>
+    </message>
+    <message>
+        <source>Show the pieces</source>
+        <translation>Pokaži kose</translation>
     </message>
 </context>
 <context>

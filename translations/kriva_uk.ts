@@ -211,6 +211,10 @@
         <source>&amp;Print…</source>
         <translation>Др&amp;укувати…</translation>
     </message>
+    <message>
+        <source>New &amp;window</source>
+        <translation>Відкри&amp;ти нове вікно</translation>
+    </message>
 </context>
 <context>
     <name>CanvasAccessible</name>
@@ -1463,6 +1467,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Click: how this point is worked out, in Tables</source>
         <translation>Клацання: як обчислено цю точку, у «Таблицях»</translation>
     </message>
+    <message>
+        <source>The shape stays as it is</source>
+        <translation>Форма не змінюється</translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>
@@ -2359,6 +2367,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>The degree cannot fall any more</source>
         <translation>Степінь більше не можна знизити</translation>
     </message>
+    <message>
+        <source>The curve then stays as it is</source>
+        <translation>Крива при цьому не змінюється</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::ExportDialog</name>
@@ -2399,10 +2411,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>&amp;Формат</translation>
     </message>
     <message>
-        <source>&amp;Width (mm)</source>
-        <translation>&amp;Ширина (мм)</translation>
-    </message>
-    <message>
         <source>&amp;Margin (mm)</source>
         <translation>&amp;Поле (мм)</translation>
     </message>
@@ -2425,10 +2433,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>&amp;Dots per inch</source>
         <translation>&amp;Точок на дюйм</translation>
-    </message>
-    <message>
-        <source>&amp;Own width</source>
-        <translation>&amp;Власна ширина</translation>
     </message>
     <message>
         <source>Text&amp;s in the figure</source>
@@ -2491,8 +2495,16 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Масштаб (мм на одиницю)</translation>
     </message>
     <message>
-        <source>Own scale</source>
-        <translation>Власний масштаб</translation>
+        <source>Width (mm)</source>
+        <translation>Ширина (мм)</translation>
+    </message>
+    <message>
+        <source>Set the &amp;width</source>
+        <translation>Задати &amp;ширину</translation>
+    </message>
+    <message>
+        <source>Set the scale</source>
+        <translation>Задати масштаб</translation>
     </message>
 </context>
 <context>
@@ -2846,6 +2858,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Shows the de Casteljau scheme at these t as well, like 0.25; 0.75</source>
         <translation>Показує схему де Кастельжо також при цих t, наприклад 0,25; 0,75</translation>
+    </message>
+    <message>
+        <source>Show the pieces</source>
+        <translation>Показати частини</translation>
     </message>
 </context>
 <context>

@@ -183,11 +183,11 @@ std::optional<CombinedCurve> withCurvePulled(const CombinedCurve& curve, Point f
 }
 
 std::optional<Frame<CombinedCurve>> atFrame(const CombinedCurve& curve, const FramePlace& place) {
-    const bool isStage = place.over == FramePlace::Over::stage && place.at >= 0 && place.at < kCombinedStages;
+    const bool isStage = place.over == FramePlace::Over::stage && place.at >= 1 && place.at <= kCombinedStages;
     if (!isStage)
         return {};
     const int stage = static_cast<int>(place.at);
-    return Frame<CombinedCurve>{curve, stage + 1 < kCombinedStages ? std::optional(stage) : std::nullopt};
+    return Frame<CombinedCurve>{curve, stage < kCombinedStages ? std::optional(stage - 1) : std::nullopt};
 }
 
 } // namespace kriva

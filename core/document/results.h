@@ -9,12 +9,25 @@
 
 namespace kriva {
 
+/// A place through which curves pass more than once.
+struct PassedPlace {
+    struct Pass {
+        std::optional<int> curve; ///< its index in the sheet, where there are several
+        int segment = 0;
+        double t = 0; ///< in the segment
+        friend bool operator==(const Pass&, const Pass&) = default;
+    };
+    Point at;
+    std::vector<Pass> passes;
+    friend bool operator==(const PassedPlace&, const PassedPlace&) = default;
+};
+
 /// One row of numbers for people: in the Results panel and in the table that `kriva report` prints.
 struct Result {
     /// Points are places in the figure, vectors are not: derivatives, and coefficients that are pairs of numbers.
     /// A word of the field that is the same in every language ("C1", "G2") is a literal text.
     using Value = std::variant<double, int, std::string, Caption, Point, Points, Vector, std::vector<Vector>, Box,
-                               std::vector<double>>;
+                               std::vector<double>, PassedPlace>;
     Caption caption = Caption::none;
     std::string index;          ///< "3" of the fourth segment; empty where there is only one
     std::optional<Value> value; ///< nothing where the number does not exist

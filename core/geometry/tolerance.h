@@ -7,4 +7,7 @@ struct Tolerance {
     double distance = 0;
 };
 
+/// A change by this part of a figure's size is rounding: for a person, none.
+inline constexpr double kRoundingPart = 1e-12;
+
 } // namespace kriva

@@ -46,6 +46,14 @@ Layer crossingsLayer(std::span<const SplineCurve* const> curves, const Crossings
     return {"crossings", {}, {{std::move(places), Role::crossing}}};
 }
 
+PassedPlace passedPlace(const Crossing& crossing, bool isOfSeveral) {
+    PassedPlace place{crossing.at, {}};
+    for (const Pass& pass : crossing.passes)
+        place.passes.push_back({isOfSeveral ? std::optional(static_cast<int>(pass.curve)) : std::nullopt,
+                                static_cast<int>(pass.segment), pass.t});
+    return place;
+}
+
 } // namespace
 
 Crossings crossingsOf(std::span<const SplineCurve* const> curves) {
@@ -79,7 +87,8 @@ Relations relationsOf(std::span<const SplineCurve* const> curves) {
     Relations relations;
     relations.results.push_back({Caption::crossingCount, "", static_cast<int>(crossings.places.size())});
     for (std::size_t i = 0; i < std::min(crossings.places.size(), kMostListed); ++i)
-        relations.results.push_back({Caption::crossing, decimal(static_cast<int>(i)), crossings.places[i].at});
+        relations.results.push_back(
+            {Caption::crossing, decimal(static_cast<int>(i)), passedPlace(crossings.places[i], curves.size() > 1)});
     relations.results.push_back({Caption::overlapCount, "", static_cast<int>(crossings.overlaps.size())});
     relations.figure.layers.push_back(crossingsLayer(curves, crossings));
     return relations;

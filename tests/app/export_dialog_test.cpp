@@ -35,7 +35,7 @@ TEST_F(ExportDialogTest, showsTheFigureAsItsFileWillBe) {
     const Drawing usual = drawingOf(document().value(), sheet_, textSource());
     EXPECT_EQ(shown().figure, usual.figure);
     EXPECT_EQ(shown().page.width, usual.page.width);
-    test::click(test::saying<QCheckBox>(dialog_, "&Own width"));
+    test::click(test::saying<QCheckBox>(dialog_, "Set the &width"));
     test::type(test::named<NumberField>(dialog_, "Width (mm)"), "80");
     test::type(test::named<NumberField>(dialog_, "Margin (mm)"), "3");
     EXPECT_EQ(shown().page.width, 80);
@@ -52,11 +52,11 @@ TEST_F(ExportDialogTest, showsTheFigureAsItsFileWillBe) {
 }
 
 TEST_F(ExportDialogTest, takesAWidthOrAScale) {
-    test::click(test::saying<QCheckBox>(dialog_, "Own scale"));
+    test::click(test::saying<QCheckBox>(dialog_, "Set the scale"));
     test::type(test::named<NumberField>(dialog_, "Scale (mm for a unit)"), "2.5");
     EXPECT_EQ(shown().page.mmPerUnit, 2.5);
     EXPECT_EQ(dialog_.options().drawing.mmPerUnit, 2.5);
-    test::click(test::saying<QCheckBox>(dialog_, "&Own width"));
+    test::click(test::saying<QCheckBox>(dialog_, "Set the &width"));
     test::type(test::named<NumberField>(dialog_, "Width (mm)"), "80");
     EXPECT_EQ(shown().page.width, 80);
     EXPECT_EQ(dialog_.options().drawing.mmPerUnit, std::nullopt) << "one of them decides";
@@ -140,11 +140,11 @@ TEST(ExportDialogOfPlots, hasWhatPlotsHave) {
         return std::ranges::any_of(
             boxes, [&](const QCheckBox* box) { return box->isVisible() && box->text() == QLatin1String(text); });
     };
-    EXPECT_TRUE(offers("&Own width"));
-    EXPECT_FALSE(offers("Own scale"));
+    EXPECT_TRUE(offers("Set the &width"));
+    EXPECT_FALSE(offers("Set the scale"));
     EXPECT_FALSE(offers("The document &goes along, to open the file again"));
     EXPECT_EQ(test::named<QComboBox>(dialog, "Format").count(), 4) << "it has no points";
-    test::click(test::saying<QCheckBox>(dialog, "&Own width"));
+    test::click(test::saying<QCheckBox>(dialog, "Set the &width"));
     test::type(test::named<NumberField>(dialog, "Width (mm)"), "84");
     const auto& preview = *dialog.findChild<FigurePreview*>();
     EXPECT_EQ(preview.drawing().page.width, 84);

@@ -35,8 +35,11 @@ bool isOfNoLanguage(const QString& line) {
     // "t = 0.5: B0 = 0.125; B1 = 0.375", as a plot tells its values
     static const QRegularExpression values(
         QStringLiteral("^<i>\\w</i> = [\\d.,e−+-]+: (<i>\\w+</i><sub>\\d+</sub> = [\\d.,e−+-]+(; )?)*$"));
-    return signs.match(text).hasMatch() || letters.match(text).hasMatch() || values.match(text).hasMatch() ||
-           names.contains(text);
+    // "t = 0.5", and where curves cross: "0: c₂(0.25) = 0: c₅(0.5) = (5; 2)"
+    static const QRegularExpression equation(
+        QStringLiteral("^[A-Za-z] = [\\d.]+$|^((\\d+: )?c[₀-₉]+\\([\\d.]+\\) = )+\\([\\d.; −-]+\\)$"));
+    return equation.match(text).hasMatch() || signs.match(text).hasMatch() || letters.match(text).hasMatch() ||
+           values.match(text).hasMatch() || names.contains(text);
 }
 
 TEST(PseudoLanguage, everyVisibleTextIsTranslated) {

@@ -235,6 +235,35 @@ TEST_F(RemovalTest, leavesAPointByItselfWithoutADegree) {
     EXPECT_FALSE(hint().startsWith(QStringLiteral("The degree")));
 }
 
+TEST_F(RemovalTest, tellsWhatHappenedUntilSomethingElseDoes) {
+    SheetTab& tab = window.shown(0);
+    tab.editor().removePoints(tab.editor().activeSerial(), {1}, Removal::plain);
+    EXPECT_EQ(hint(), QStringLiteral("The degree falls to 2"));
+    window.window.document().undo();
+    EXPECT_EQ(hint(), QString());
+}
+
+TEST_F(RemovalTest, leavesNoHoverWhereThePointWas) {
+    SheetTab& tab = window.shown(0);
+    selectByClick(tab, 1);
+    EXPECT_TRUE(hint().startsWith(QStringLiteral("Drag"))) << hint().toStdString();
+    tab.editor().removePoints(tab.editor().activeSerial(), {1}, Removal::plain);
+    window.window.document().setActiveSheet(1);
+    window.window.document().setActiveSheet(0);
+    EXPECT_FALSE(hint().startsWith(QStringLiteral("Drag: move"))) << hint().toStdString();
+}
+
+TEST_F(RemovalTest, forgetsThePointerThatLeft) {
+    SheetTab& tab = window.shown(0);
+    selectByClick(tab, 1);
+    const auto& pointer = *window.window.findChild<QLabel*>(QStringLiteral("pointer"));
+    EXPECT_TRUE(pointer.text().startsWith(QStringLiteral("x")));
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(tab.canvas().viewport(), &leave);
+    EXPECT_EQ(pointer.text(), QString());
+    EXPECT_EQ(hint(), QString());
+}
+
 /// Answers the next message box.
 void answerWith(QMessageBox::StandardButton button) {
     QTimer::singleShot(0, [button] {
@@ -287,6 +316,17 @@ TEST(Window, asksWhetherToOpenTheDocumentOrTheDrawingOfAnEditedFigure) {
     save("Q", "Q"); // as it was: nobody is asked
     EXPECT_TRUE(session.openFile(path));
     EXPECT_EQ(window.window.document().value(), document);
+    const auto actions = window.window.findChildren<QAction*>();
+    EXPECT_TRUE(std::ranges::any_of(actions, [&](const QAction* action) {
+        return action->text().endsWith(QStringLiteral("figure.svg"));
+    })) << "it is a recent file at once";
+}
+
+TEST(Window, asksForAFurtherOne) {
+    TestWindow window;
+    const QSignalSpy asked(&window.window, &MainWindow::newWindowAsked);
+    window.window.findChild<QAction*>(QStringLiteral("newWindow"))->trigger();
+    EXPECT_EQ(asked.size(), 1);
 }
 
 TEST(Window, asksBeforeChangesAreLost) {

@@ -38,6 +38,16 @@ CanvasView::CanvasView(CanvasClient& client, QWidget* parent)
     retranslateUi();
 }
 
+void CanvasView::setCurves(std::vector<CanvasCurve> curves) {
+    scene_.setCurves(std::move(curves));
+    gestures_.lookAgain();
+}
+
+void CanvasView::updateCurve(CanvasCurve curve) {
+    scene_.updateCurve(std::move(curve));
+    gestures_.lookAgain();
+}
+
 void CanvasView::setSelection(Selection selection) {
     const bool isOne = selection.size() == 1 && selection != scene_.selection();
     scene_.setSelection(std::move(selection));
@@ -135,6 +145,7 @@ bool CanvasView::viewportEvent(QEvent* event) {
         gestures_.leave();
         scene_.setHovered(std::nullopt);
         scene_.setSnap(std::nullopt);
+        Q_EMIT pointerLeft();
     } else if (event->type() == QEvent::UngrabMouse) {
         gestures_.finish();
     }
@@ -150,7 +161,6 @@ void CanvasView::changeEvent(QEvent* event) {
 }
 
 void CanvasView::paintEvent(QPaintEvent* event) {
-    isFitDue_ = false;
     scene_.setDevicePixelRatio(devicePixelRatioF());
     scene_.prepare();
     QGraphicsView::paintEvent(event);
@@ -164,6 +174,11 @@ void CanvasView::resizeEvent(QResizeEvent* event) {
     setMapping(next);
     if (isFitDue)
         fitAll();
+}
+
+void CanvasView::mousePressEvent(QMouseEvent* event) {
+    isFitDue_ = false;
+    gestures_.press(*event);
 }
 
 void CanvasView::mouseMoveEvent(QMouseEvent* event) {
@@ -181,6 +196,7 @@ void CanvasView::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void CanvasView::keyPressEvent(QKeyEvent* event) {
+    isFitDue_ = false;
     if (isModifierKey(event->key()))
         gestures_.follow(event->modifiers());
     event->setAccepted(keys_.press(*event));
@@ -197,6 +213,8 @@ void CanvasView::keyReleaseEvent(QKeyEvent* event) {
 void CanvasView::focusOutEvent(QFocusEvent* event) {
     gestures_.finish();
     gestures_.setSpaceHeld(false);
+    if (event->reason() == Qt::ActiveWindowFocusReason)
+        gestures_.follow(Qt::NoModifier); // keys are released elsewhere
     QGraphicsView::focusOutEvent(event);
 }
 

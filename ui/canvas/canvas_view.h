@@ -18,9 +18,9 @@ class CanvasView : public QGraphicsView {
     explicit CanvasView(CanvasClient& client, QWidget* parent = nullptr);
 
     /// All curves, from the lowest to the topmost.
-    void setCurves(std::vector<CanvasCurve> curves) { scene_.setCurves(std::move(curves)); }
+    void setCurves(std::vector<CanvasCurve> curves);
     /// One curve in place; the others are not touched.
-    void updateCurve(CanvasCurve curve) { scene_.updateCurve(std::move(curve)); }
+    void updateCurve(CanvasCurve curve);
     void setSelection(Selection selection);
     [[nodiscard]] const Selection& selection() const { return scene_.selection(); }
 
@@ -75,6 +75,7 @@ class CanvasView : public QGraphicsView {
     void zoomChanged(double percent);
     void mappingChanged(const kriva::ui::Viewport& mapping);
     void pointerMoved(kriva::Point at);
+    void pointerLeft();
     void toolChanged(kriva::ui::Tool tool);
     void gridShownChanged(bool isShown);
     /// By the right button, where it was pressed, or by the menu key.
@@ -86,7 +87,7 @@ class CanvasView : public QGraphicsView {
     void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override { gestures_.press(*event); }
+    void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override { gestures_.release(*event); }
     void mouseDoubleClickEvent(QMouseEvent* event) override { gestures_.doubleClick(*event); }
@@ -107,7 +108,7 @@ class CanvasView : public QGraphicsView {
     Gestures gestures_;
     KeyGestures keys_;
     Tool tool_ = Tool::edit;
-    bool isFitDue_ = false; ///< until it is painted, a new size fits all again
+    bool isFitDue_ = false; ///< until a person does something on it, a new size fits all again
 };
 
 } // namespace kriva::ui

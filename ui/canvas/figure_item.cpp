@@ -51,7 +51,7 @@ void FigureItem::prepare(const Sight& sight, MarkPictures& pictures, FrameLoad& 
         seen_ = sight.rectangle();
     }
     devicePixelRatio_ = sight.devicePixelRatio;
-    labelColor_ = toQt(styleOf(Role::label, 0, sight.theme).color);
+    theme_ = sight.theme;
     curveLines_.clear();
     layers_.clear();
     layers_.reserve(figure_.layers.size());
@@ -173,9 +173,10 @@ void FigureItem::draw(QPainter& painter, const QRectF& seen) const {
             kriva::ui::paint(painter, stroke, seen);
         for (const Stamps& marks : layer.marks)
             kriva::ui::paint(painter, marks, devicePixelRatio_);
-        painter.setPen(labelColor_);
-        for (const PlacedLabel& label : layer.labels)
+        for (const PlacedLabel& label : layer.labels) {
+            painter.setPen(toQt(styleOf(label.role, 0, theme_).color));
             paintLabel(painter, label, kPixelsPerMillimetre * toQt(label.baseline), fonts);
+        }
     }
 }
 

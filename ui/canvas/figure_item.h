@@ -66,7 +66,7 @@ class FigureItem : public QGraphicsItem {
     std::vector<QPolygonF> curveLines_;
     FrameLoad load_;
     double devicePixelRatio_ = 1;
-    QColor labelColor_;
+    Theme theme_ = Theme::light;
     QRectF seen_;
 };
 

@@ -41,6 +41,19 @@ struct ValueText {
         return texts.join(QLatin1Char(' '));
     }
     [[nodiscard]] QString operator()(const std::vector<double>& numbers) const { return list(numbers); }
+    /// "c₀(0.25) = c₃(0.5) = (2; 1)", with the curve in front where there are several: "1: c₀(0.25)".
+    [[nodiscard]] QString operator()(const PassedPlace& place) const {
+        constexpr int kDigitsOfT = 4;
+        QString text;
+        for (const PassedPlace::Pass& pass : place.passes) {
+            if (pass.curve)
+                text += QStringLiteral("%1: ").arg(*pass.curve);
+            text += QStringLiteral("%1(%2) = ")
+                        .arg(indexed(QStringLiteral("c"), QString::number(pass.segment)),
+                             ValueText{std::min(digits, kDigitsOfT)}(pass.t));
+        }
+        return text + (*this)(place.at);
+    }
 
   private:
     [[nodiscard]] QString list(const std::vector<double>& numbers) const {

@@ -65,6 +65,8 @@ Points ResultsModel::places(int row) const {
         return {};
     if (const Point* place = std::get_if<Point>(&*result.value))
         return {*place};
+    if (const PassedPlace* place = std::get_if<PassedPlace>(&*result.value))
+        return {place->at};
     const Points* places = std::get_if<Points>(&*result.value);
     return places ? *places : Points();
 }

@@ -2,6 +2,7 @@
 
 #include "core/document/document_drags.h"
 #include "core/exchange/conversion.h"
+#include "core/geometry/tolerance.h"
 #include "ui/sheets/move_label.h"
 #include "ui/sheets/sheet_drag.h"
 
@@ -105,7 +106,9 @@ void SheetEditor::removePoints(Serial serial, const std::vector<int>& indices, R
 
 void SheetEditor::tellRemoval(const Curve& before, const Curve& after, std::optional<double> deviation) {
     const std::optional<int> degree = polynomialDegree(after);
-    if (deviation)
+    if (deviation && *deviation <= kRoundingPart * diagonal(boxOf(pointsOf(before))))
+        Q_EMIT hint({QT_TRANSLATE_NOOP("Hint", "The shape stays as it is")});
+    else if (deviation)
         Q_EMIT hint({QT_TRANSLATE_NOOP("Hint", "The shape changes by at most %1"), deviation});
     else if (degree && degree != polynomialDegree(before))
         Q_EMIT hint({QT_TRANSLATE_NOOP("Hint", "The degree falls to %1"), degree});

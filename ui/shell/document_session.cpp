@@ -59,8 +59,8 @@ bool DocumentSession::openFile(const QString& path) {
     document_.replace(std::move(*document));
     // A figure keeps its document inside, but saving must not put a document in the figure's place.
     const bool isDocument = path.endsWith(QLatin1String(".kriva"));
-    setPath(isDocument ? path : QString());
     preferences_.addRecentFile(path);
+    setPath(isDocument ? path : QString());
     return true;
 }
 
@@ -103,8 +103,8 @@ bool DocumentSession::saveTo(const QString& path) {
         return false;
     }
     document_.markSaved();
-    setPath(path);
     preferences_.addRecentFile(path);
+    setPath(path);
     return true;
 }
 

@@ -67,6 +67,7 @@ void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
         connect(tab, &SheetTab::hintChanged, status_, &StatusRow::showHint);
         connect(tab, &SheetTab::told, status_, &StatusRow::tell);
         connect(&tab->canvas(), &CanvasView::pointerMoved, status_, &StatusRow::showPointer);
+        connect(&tab->canvas(), &CanvasView::pointerLeft, status_, &StatusRow::forgetPointer);
         connect(&tab->canvas(), &CanvasView::zoomChanged, this, [this, tab](double percent) {
             if (tab == &currentTab())
                 status_->showZoom(percent);
@@ -78,6 +79,7 @@ void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
     }
     connect(tabWidget_, &QTabWidget::currentChanged, this,
             [this](int index) { document_.setActiveSheet(static_cast<SheetIndex>(index)); });
+    connect(&document_.histories(), &QUndoGroup::indexChanged, status_, &StatusRow::endTelling);
     connect(&document_, &OpenDocument::activeSheetChanged, this, &MainWindow::followTab);
     connect(&document_, &OpenDocument::replaced, this, &MainWindow::followTab);
     connect(&document_, &OpenDocument::curvesChanged, this, &MainWindow::followSelection);
@@ -86,6 +88,7 @@ void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
 
 void MainWindow::connectActions() {
     connect(actions_->newDocument, &QAction::triggered, session_, &DocumentSession::newDocument);
+    connect(actions_->newWindow, &QAction::triggered, this, &MainWindow::newWindowAsked);
     connect(actions_->open, &QAction::triggered, session_, &DocumentSession::open);
     connect(actions_->save, &QAction::triggered, session_, &DocumentSession::save);
     connect(actions_->saveAs, &QAction::triggered, session_, &DocumentSession::saveAs);

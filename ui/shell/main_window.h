@@ -35,6 +35,10 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] QString sheetTitle(SheetIndex sheet) const;
     [[nodiscard]] SheetTab& currentTab() { return *tabs_[document_.value().active]; }
 
+  Q_SIGNALS:
+    /// A further window is wanted; who makes windows makes it.
+    void newWindowAsked();
+
   protected:
     void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;

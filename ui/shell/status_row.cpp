@@ -4,6 +4,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <utility>
 
 namespace kriva::ui {
 namespace {
@@ -72,6 +73,18 @@ void StatusRow::tell(const QString& text) {
     isTelling_ = true;
 }
 
+void StatusRow::endTelling() {
+    if (std::exchange(isTelling_, false))
+        hint_->clear();
+}
+
+void StatusRow::forgetPointer() {
+    at_.reset();
+    pointer_->clear();
+    if (!isTelling_)
+        hint_->clear();
+}
+
 void StatusRow::showPointer(Point at) {
     if (at != at_)
         isTelling_ = false;
@@ -86,7 +99,8 @@ void StatusRow::showZoom(double percent) {
     percent_ = percent;
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    zoom_->setText(tr("%1 %", "zoom in percent").arg(locale.toString(percent, 'g', percent < 1000 ? 3 : 6)));
+    zoom_->setText(tr("%1 %", "zoom in percent")
+                       .arg(percent < 1000 ? locale.toString(percent, 'g', 3) : locale.toString(percent, 'f', 0)));
 }
 
 void StatusRow::changeEvent(QEvent* event) {

@@ -17,9 +17,13 @@ class StatusRow : public QStatusBar {
 
     /// What a person can do next.
     void showHint(const QString& hint);
-    /// What just happened: it stays until the pointer is elsewhere.
+    /// What just happened: it stays until something else happens or the pointer moves.
     void tell(const QString& text);
+    /// The next thing happens.
+    void endTelling();
     void showPointer(Point at);
+    /// The pointer is on no canvas.
+    void forgetPointer();
     void showZoom(double percent);
 
   protected:

@@ -9,7 +9,7 @@ namespace kriva {
 struct FramePlace {
     enum class Over { stage, t };
     Over over = Over::stage;
-    double at = 0; ///< whole for stages
+    double at = 0; ///< whole for stages: elevations and levels from 0, steps from 1
     friend constexpr bool operator==(const FramePlace&, const FramePlace&) = default;
 };
 

@@ -12,13 +12,14 @@ namespace {
 constexpr int kUsualElevations = 97;
 constexpr double kStep = 1.08; ///< from one degree of the plot to the next, at least
 
-/// Some hundred numbers of elevations, close together at first.
-std::vector<int> plottedTimes(int degree, int most) {
+/// Some hundred numbers of elevations, close together at first; `asked` is one of them.
+std::vector<int> plottedTimes(int degree, int most, int asked) {
     std::vector<int> plotted;
     for (double next = degree; next <= degree + most; next = std::max(next + 1, std::floor(next * kStep)))
         plotted.push_back(static_cast<int>(next) - degree);
-    if (plotted.back() != most)
-        plotted.push_back(most);
+    for (const int further : {asked, most})
+        if (const auto at = std::ranges::lower_bound(plotted, further); at == plotted.end() || *at != further)
+            plotted.insert(at, further);
     return plotted;
 }
 
@@ -27,7 +28,7 @@ Plot gapPlot(const ElevationCurve& curve) {
     Plot plot{Caption::gap, {.isLogarithmic = true, .variable = "N"}, {.isLogarithmic = true, .variable = "δ"}, {}};
     Points gaps;
     ElevationCurve raised = curve;
-    for (const int times : plottedTimes(degree, std::max(kUsualElevations, curve.times))) {
+    for (const int times : plottedTimes(degree, std::max(kUsualElevations, curve.times), curve.times)) {
         raised.times = times;
         // A straight curve with its points evenly spaced has no gap, and nothing has a logarithm of it.
         if (const double gap = elevate(raised).gap; gap > 0)
@@ -36,9 +37,12 @@ Plot gapPlot(const ElevationCurve& curve) {
     if (gaps.size() < 2)
         return plot;
     const double constant = gaps.back().x * gaps.back().y;
-    const Points reference{{gaps.front().x, constant / gaps.front().x}, gaps.back()};
+    Points reference;
+    for (const Point gap : gaps)
+        reference.push_back({gap.x, constant / gap.x});
     plot.lines.push_back({polyline(gaps), Role::plotLine, 0, Caption::none, "δ"});
     plot.lines.push_back({polyline(reference), Role::reference, 0, Caption::none, "c/N"});
+    plot.isSequence = true;
     plot.at = degree + curve.times;
     return withAxesFitted(std::move(plot));
 }

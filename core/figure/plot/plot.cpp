@@ -43,6 +43,14 @@ void fit(PlotAxis& axis, double low, double high) {
 
 } // namespace
 
+double toLength(const PlotAxis& axis, double value) {
+    return axis.isLogarithmic ? std::log10(value) : value;
+}
+
+double fromLength(const PlotAxis& axis, double length) {
+    return axis.isLogarithmic ? std::pow(10, length) : length;
+}
+
 Plot withYFitted(Plot plot) {
     const Box box = seenBox(plot);
     if (!box.isEmpty())
@@ -77,6 +85,15 @@ std::optional<double> valueAt(const PlotLine& line, double x) {
             value = evaluate(piece, changes.front()).y;
     });
     return value;
+}
+
+double lookedAt(const Plot& plot, double x) {
+    if (!plot.isSequence || plot.lines.empty())
+        return x;
+    const double at = toLength(plot.x, x);
+    return std::ranges::min(plot.lines.front().path.points, {},
+                            [&](Point p) { return std::abs(toLength(plot.x, p.x) - at); })
+        .x;
 }
 
 Path graphPath(std::span<const double> coefficients, double from, double to) {

@@ -14,6 +14,10 @@ struct PlotAxis {
     friend bool operator==(const PlotAxis&, const PlotAxis&) = default;
 };
 
+/// A value as a length along its axis, from anywhere in any unit, and back: the logarithm where the axis has it.
+[[nodiscard]] double toLength(const PlotAxis& axis, double value);
+[[nodiscard]] double fromLength(const PlotAxis& axis, double length);
+
 /// A line over both axes, and what stands in the legend: a caption or a letter with an index.
 struct PlotLine {
     Path path; ///< on logarithmic axes polylines alone
@@ -33,6 +37,7 @@ struct Plot {
     Points given = {};             ///< places that lines pass through or near
     std::optional<double> at = {}; ///< the x that the plot is about: the t of a curve
     bool isToScale = false;        ///< units of both axes are equally long
+    bool isSequence = false;       ///< lines join the members of sequences: between them there is nothing
     friend bool operator==(const Plot&, const Plot&) = default;
 };
 
@@ -52,6 +57,9 @@ struct PlotGroup {
 
 /// The y of a line at an x; nothing where it is not there, the first along the line where it is there more than once.
 [[nodiscard]] std::optional<double> valueAt(const PlotLine& line, double x);
+
+/// The x nearest to that one at which the plot can be looked at: in sequences that of a member of the first line.
+[[nodiscard]] double lookedAt(const Plot& plot, double x);
 
 /// A polynomial with these Bernstein coefficients over x from `from` to `to`, as a line.
 [[nodiscard]] Path graphPath(std::span<const double> coefficients, double from, double to);

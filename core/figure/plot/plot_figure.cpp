@@ -89,31 +89,45 @@ std::vector<Tick> linearTicks(const PlotAxis& axis, double length, double spacin
     return ticks;
 }
 
+/// Powers of ten, and 2 and 5 times these where there is room; in a part of a decade, ticks as on a linear axis.
 std::vector<Tick> logarithmicTicks(const PlotAxis& axis, double length, double spacing) {
-    std::vector<Tick> ticks;
     const double low = std::log10(axis.low);
     const double high = std::log10(axis.high);
+    if (high - low < 1)
+        return linearTicks(axis, length, spacing);
+    std::vector<Tick> ticks;
     const double step = std::max(1.0, roundStep(spacing * (high - low) / length));
-    for (const double exponent : multiples(step, low - 1e-9, high + 1e-9)) {
-        constexpr double kPlain = 3.5;
-        Tick& tick = ticks.emplace_back(std::pow(10, exponent), Label{});
-        if (std::abs(exponent) < kPlain)
-            tick.label.number = LabelNumber{tick.at, std::max(0, static_cast<int>(-exponent))};
-        else
-            tick.label.text = powerOfTen(static_cast<int>(exponent));
-    }
+    const bool hasRoom = length / (high - low) > 4 * spacing;
+    for (const double exponent : multiples(step, std::floor(low), high + 1e-9))
+        for (const double factor : {1.0, 2.0, 5.0}) {
+            constexpr double kPlain = 3.5;
+            const double at = factor * std::pow(10, exponent);
+            const bool isSeen = at >= axis.low * (1 - 1e-9) && at <= axis.high * (1 + 1e-9);
+            if (!isSeen || (factor > 1 && !hasRoom))
+                continue;
+            Tick& tick = ticks.emplace_back(at, Label{});
+            if (std::abs(exponent) < kPlain)
+                tick.label.number = LabelNumber{at, std::max(0, static_cast<int>(-exponent))};
+            else if (factor == 1)
+                tick.label.text = powerOfTen(static_cast<int>(exponent));
+        }
     return ticks;
 }
 
+/// At least two, unless they would touch: one number alone gives no scale.
 std::vector<Tick> ticksOf(const PlotAxis& axis, double length, double spacing) {
-    return axis.isLogarithmic ? logarithmicTicks(axis, length, spacing) : linearTicks(axis, length, spacing);
+    constexpr double kLeastPart = 0.4;
+    std::vector<Tick> ticks;
+    for (double part = 1; ticks.size() < 2 && part > kLeastPart; part *= 0.8)
+        ticks = axis.isLogarithmic ? logarithmicTicks(axis, length, part * spacing)
+                                   : linearTicks(axis, length, part * spacing);
+    return ticks;
 }
 
 /// From 0 to 1 between the ends of an axis.
 double along(const PlotAxis& axis, double value) {
-    if (axis.isLogarithmic)
-        return std::log(value / axis.low) / std::log(axis.high / axis.low);
-    return (value - axis.low) / (axis.high - axis.low);
+    const double low = toLength(axis, axis.low);
+    return (toLength(axis, value) - low) / (toLength(axis, axis.high) - low);
 }
 
 void addLine(Layer& layer, Point from, Point to, Role role) {
@@ -259,9 +273,8 @@ Point onPlot(const Plot& plot, const Box& frame, Point p) {
 
 double plotX(const Plot& plot, const Box& frame, double millimetres) {
     const double part = (millimetres - frame.xmin) / frame.width();
-    if (plot.x.isLogarithmic)
-        return plot.x.low * std::pow(plot.x.high / plot.x.low, part);
-    return plot.x.low + part * (plot.x.high - plot.x.low);
+    const double low = toLength(plot.x, plot.x.low);
+    return fromLength(plot.x, low + part * (toLength(plot.x, plot.x.high) - low));
 }
 
 Figure plotFigure(std::span<const Plot> plots, PlotSize size) {

@@ -108,6 +108,34 @@ TEST_F(PlotsPanelTest, zoomAlongXAndShowAllAgain) {
     EXPECT_EQ(view.shownPlot().x, all);
 }
 
+class ElevationPlotsTest : public PlotsPanelTest {
+  protected:
+    ElevationPlotsTest()
+        : PlotsPanelTest(0) {}
+};
+
+TEST_F(ElevationPlotsTest, lookAtWholeDegreesAndZoomOnLogarithmicAxesToo) {
+    test::settle();
+    choose(1);
+    PlotView& view = *views().front();
+    const PlotAxis all = view.shownPlot().x;
+    QTest::mouseMove(&view, view.rect().center());
+    ASSERT_TRUE(view.crosshair());
+    const double degree = *view.crosshair();
+    EXPECT_EQ(degree, std::round(degree));
+    view.setFocus();
+    QTest::keyClick(&view, Qt::Key_Right);
+    EXPECT_GT(*view.crosshair(), degree);
+    EXPECT_EQ(*view.crosshair(), std::round(*view.crosshair()));
+    QTest::keyClick(&view, Qt::Key_Left);
+    EXPECT_EQ(*view.crosshair(), degree);
+    wheel(view, view.rect().center(), 5);
+    EXPECT_GT(view.shownPlot().x.low, all.low);
+    EXPECT_LT(view.shownPlot().x.high, all.high);
+    wheel(view, view.rect().center(), -9);
+    EXPECT_EQ(view.shownPlot().x, all);
+}
+
 TEST_F(PlotsPanelTest, areAskedForTheFileOfWhatIsOnView) {
     QSignalSpy asked(&panel_, &PlotsPanel::exportRequested);
     panel_.disconnect(&tab);

@@ -112,7 +112,7 @@ TEST_F(SplineResultsTest, aChosenCrossingIsPointedOutAndBroughtIntoSight) {
     const std::vector<Result> ofSheet = relationsOf(editor().sheet(), 2).results;
     const auto crossing = std::ranges::find(ofSheet, Caption::crossing, &Result::caption);
     ASSERT_NE(crossing, ofSheet.end());
-    const Point place = std::get<Point>(*crossing->value);
+    const Point place = std::get<PassedPlace>(*crossing->value).at;
     Viewport elsewhere = tab.canvas().mapping();
     elsewhere.centre = place + Vector{1e3, 1e3};
     tab.canvas().setMapping(elsewhere);
@@ -124,6 +124,13 @@ TEST_F(SplineResultsTest, aChosenCrossingIsPointedOutAndBroughtIntoSight) {
     EXPECT_EQ(steps(), QStringList());
     table.clearSelection();
     EXPECT_EQ(editor().pointedOut(), Points());
+}
+
+TEST_F(SplineResultsTest, aCrossingNamesItsSegmentsAndParameters) {
+    const PassedPlace place{{2.5, -1}, {{{}, 0, 0.25}, {{}, 12, 1.0 / 3}}};
+    EXPECT_EQ(valueText(place, 10), QStringLiteral("c₀(0.25) = c₁₂(0.3333) = (2.5; -1)"));
+    EXPECT_EQ(valueText(PassedPlace{{1, 1}, {{1, 0, 0.5}, {2, 3, 0}}}, 10),
+              QStringLiteral("1: c₀(0.5) = 2: c₃(0) = (1; 1)"));
 }
 
 TEST_F(SplineResultsTest, theRingIsInkAroundTheCrossing) {

@@ -165,6 +165,7 @@ TEST_F(ElevationPropertiesTest, theDeviationIsToldBeforeTheDegreeFalls) {
     const Refitted<ElevationCurve> reduced = *withDegreeReduced(before);
     const QString told = QStringLiteral("The curve then moves by at most ") + valueText(*reduced.deviation, 4);
     EXPECT_TRUE(hasLabel(told)) << told.toStdString();
+    EXPECT_TRUE(hasLabel(QStringLiteral("N = 8")));
     click(reduce);
     expectOneStep("Reduce the degree", before, reduced.edited.curve);
     click(reduce);

@@ -81,6 +81,8 @@ TEST_F(SplinePropertiesTest, theJoinIsThatOfTheSelectedKnots) {
     expectOneStep("Set the join", before, withJoin(before, knots, SplineKnot::Join::corner));
     EXPECT_EQ(join.currentText(), QStringLiteral("Automatic"));
     EXPECT_EQ(editor().selectedPoints(), knots);
+    editor().select({{editor().activeSerial(), {GripKind::outHandle, 2}}});
+    EXPECT_TRUE(join.isEnabled()) << "the handle has a knot";
 }
 
 TEST_F(SplinePropertiesTest, endDerivativesAreAskedForWhereTheChainIsClamped) {

@@ -87,6 +87,13 @@ TEST_F(SubdivisionPropertiesTest, showingTheCurveIsNoChange) {
     EXPECT_FALSE(shows.isChecked());
 }
 
+TEST_F(SubdivisionPropertiesTest, thePiecesAreShownBesideTheLevels) {
+    EXPECT_FALSE(box("Show the pieces").isChecked());
+    click(box("Show the pieces"));
+    EXPECT_TRUE(editor().sheet().view.layers.at("pieces"));
+    expectNoStep(before);
+}
+
 TEST_F(SubdivisionPropertiesTest, theMultiplicityIsThatOfTheSelectedPoints) {
     EXPECT_FALSE(multiplicity.isEnabled());
     selectPoints({1, 2});
@@ -181,7 +188,13 @@ TEST_F(SubdivisionPropertiesTest, isDisabledInAnEmptySheetAndShowsAHalfDrawnCurv
 TEST_F(SubdivisionPropertiesTest, theAnimationRunsOverTOrOverLevelsAndIsKeptInOneStep) {
     auto& player = *properties.findChild<Player*>();
     QToolButton& keep = *player.findChild<QToolButton*>(QStringLiteral("keep"));
+    const auto says = [&](const char* text) {
+        const QList<QLabel*> labels = player.findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [&](const QLabel* label) { return label->text() == QLatin1String(text); });
+    };
+    EXPECT_TRUE(says("t = 0.4"));
     player.tick();
+    EXPECT_TRUE(says("t = 0.41"));
     expectNoStep(before);
     click(keep);
     SubdivisionCurve after = before;
@@ -191,6 +204,7 @@ TEST_F(SubdivisionPropertiesTest, theAnimationRunsOverTOrOverLevelsAndIsKeptInOn
     EXPECT_EQ(player.stage(), 1);
     player.tick();
     player.tick();
+    EXPECT_TRUE(says("2<sup>3</sup> = 8"));
     click(keep);
     after = before;
     after.levels = 3;

@@ -29,6 +29,9 @@ TEST(ElevationPlots, showTheGapFallingLikeOneOverN) {
     const Points& reference = gap.lines[1].path.points;
     EXPECT_NEAR(reference.front().x * reference.front().y, reference.back().x * reference.back().y, 1e-12);
     EXPECT_EQ(reference.back(), gaps.back());
+    EXPECT_NEAR(valueAt(gap.lines[1], 8).value(), 100 * gaps.back().y / 8, 1e-12) << "also between its ends";
+    EXPECT_EQ(lookedAt(gap, 8.4), 8) << "there is no degree between";
+    EXPECT_EQ(lookedAt(gap, 0.2), 3);
 }
 
 TEST(ElevationPlots, haveNoGapOfALine) {

@@ -135,6 +135,22 @@ TEST(PlotFigure, numbersLogarithmicAxesByPowersOfTen) {
     EXPECT_THAT(powers, ::testing::Contains("10⁻⁶"));
 }
 
+TEST(PlotFigure, hasFurtherNumbersOnAPartOfALogarithmicAxis) {
+    const auto numbersOf = [](double low, double high) {
+        Plot plot{Caption::gap, {.low = low, .high = high, .isLogarithmic = true}, {}, {}};
+        std::vector<double> numbers;
+        for (const Label& label : find(figureOfOne(plot), "plot-numbers")->labels)
+            if (label.number && label.side == LabelSide::below)
+                numbers.push_back(label.number->value);
+        return numbers;
+    };
+    EXPECT_THAT(numbersOf(3, 60), ::testing::ElementsAre(5, 10, 20, 50));
+    EXPECT_THAT(numbersOf(1, 1e5), ::testing::ElementsAre(1, 10, 100, 1000));
+    const std::vector<double> part = numbersOf(20, 30);
+    EXPECT_GE(part.size(), 3U);
+    EXPECT_THAT(part, ::testing::Each(::testing::AllOf(::testing::Ge(20), ::testing::Le(30))));
+}
+
 TEST(PlotFigure, putsPlotsOneAboveTheOther) {
     const std::vector<Plot> plots{bernsteinPlot(2, 0.5), bernsteinPlot(3, 0.5)};
     const PlotSize size{100, 60};

@@ -123,8 +123,10 @@ TEST(Frames, areOnlyThoseThatTheCurveHas) {
     EXPECT_TRUE(has(document, 1, {t, 0.25}));
     EXPECT_FALSE(has(document, 1, {t, 1}));
     EXPECT_FALSE(has(document, 2, {stage, 0}));
-    EXPECT_TRUE(has(document, 3, {stage, 4}));
-    EXPECT_FALSE(has(document, 3, {stage, 5}));
+    EXPECT_TRUE(has(document, 3, {stage, 1}));
+    EXPECT_TRUE(has(document, 3, {stage, 5}));
+    EXPECT_FALSE(has(document, 3, {stage, 0}));
+    EXPECT_FALSE(has(document, 3, {stage, 6}));
     EXPECT_FALSE(has({}, 0, {stage, 0}));
 }
 

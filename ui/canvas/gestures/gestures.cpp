@@ -63,8 +63,13 @@ void Gestures::follow(Qt::KeyboardModifiers modifiers) {
         client_.drag(wayOf(press_, view_.mapping().toDocument(pixel_), modifiers), {modifiers, isSpaceHeld_});
     else if (state_ == State::banding)
         view_.setRubberBand(band());
-    else if (state_ == State::idle && isPointerInside_)
-        view_.hover(pixel_, modifiers);
+    else
+        lookAgain();
+}
+
+void Gestures::lookAgain() {
+    if (state_ == State::idle && isPointerInside_)
+        view_.hover(pixel_, modifiers_);
 }
 
 void Gestures::wheel(QWheelEvent& event) {

@@ -30,6 +30,8 @@ class Gestures {
     void setSpaceHeld(bool isHeld);
     /// The view or the modifier keys changed under a pointer that stands still.
     void follow(Qt::KeyboardModifiers modifiers);
+    /// Curves changed under it; a drag that changes them knows.
+    void lookAgain();
 
     /// Where a point would be inserted.
     [[nodiscard]] std::optional<CurvePlace> curveUnderPointer() const;

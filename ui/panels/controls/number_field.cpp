@@ -82,6 +82,8 @@ void NumberField::showValue() {
     shown_ = formatNumber(value_);
     if (text() != shown_)
         setText(shown_);
+    if (!hasFocus())
+        setCursorPosition(0); // its first digits tell more than its last ones
     showVerdict();
 }
 

@@ -31,7 +31,8 @@ Player::Player(QWidget* parent)
     , loop_(button("loop"))
     , keep_(button("keep"))
     , scrubber_(new QSlider(Qt::Horizontal, this))
-    , speed_(new QLabel(this)) {
+    , speed_(new QLabel(this))
+    , stageText_(new QLabel(this)) {
     auto* layout = new QGridLayout(this);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(0);
@@ -46,7 +47,10 @@ Player::Player(QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addLayout(buttons, 0, 0);
     layout->addWidget(scrubber_, 1, 0);
-    layout->addWidget(keep_, 2, 0);
+    auto* below = new QHBoxLayout;
+    below->addWidget(stageText_, 1);
+    below->addWidget(keep_);
+    layout->addLayout(below, 2, 0);
     back_->setIcon(icon(IconName::StepBack));
     forward_->setIcon(icon(IconName::StepForward));
     slower_->setIcon(icon(IconName::Slower));

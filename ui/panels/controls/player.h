@@ -22,6 +22,8 @@ class Player : public QFrame {
     void setKeepable(bool isKeepable) { keep_->setVisible(isKeepable); }
     /// Stages from 0 to `last`; a player with one stage only is disabled. A disabled player does not play.
     void setLast(int last);
+    /// What the stage on view is: "t = 0.25".
+    void setStageText(const QString& text) { stageText_->setText(text); }
     /// Shows a stage without telling anyone.
     void setStage(int stage);
     [[nodiscard]] int stage() const { return clock_.stage; }
@@ -63,6 +65,7 @@ class Player : public QFrame {
     QToolButton* keep_;
     QSlider* scrubber_;
     QLabel* speed_;
+    QLabel* stageText_;
 };
 
 } // namespace kriva::ui

@@ -17,6 +17,11 @@ constexpr double kWheelStep = 1.15; ///< for a notch of the wheel
 constexpr double kKeyStep = 0.01;   ///< of the axis, for an arrow key
 constexpr int kDark = 128;          ///< lightness below which paper is dark
 
+/// A value that much farther along its axis.
+double moved(const PlotAxis& axis, double value, double way) {
+    return fromLength(axis, toLength(axis, value) + way);
+}
+
 } // namespace
 
 PlotView::PlotView(QWidget* parent)
@@ -116,15 +121,14 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
     const double pixel = event->position().x();
     if (event->buttons().testFlag(Qt::LeftButton)) {
         const PlotAxis x = shownPlot().x;
-        if (!x.isLogarithmic && !plot_.isToScale) {
-            const double way = xAt(pressed_) - xAt(pixel);
-            changeRange(std::pair(x.low + way, x.high + way));
-        }
+        const double way = toLength(x, xAt(pressed_)) - toLength(x, xAt(pixel));
+        if (!plot_.isToScale)
+            changeRange(std::pair(moved(x, x.low, way), moved(x, x.high, way)));
         pressed_ = pixel;
     }
     const double at = xAt(pixel);
     const PlotAxis x = shownPlot().x;
-    moveCrosshair(x.low <= at && at <= x.high && !plot_.isToScale ? std::optional(at) : std::nullopt);
+    moveCrosshair(x.low <= at && at <= x.high && !plot_.isToScale ? std::optional(lookedAt(plot_, at)) : std::nullopt);
 }
 
 void PlotView::mouseDoubleClickEvent(QMouseEvent*) {
@@ -143,27 +147,45 @@ void PlotView::wheelEvent(QWheelEvent* event) {
 
 void PlotView::zoom(double factor, double around) {
     const PlotAxis x = shownPlot().x;
-    if (x.isLogarithmic || plot_.isToScale)
+    if (plot_.isToScale)
         return;
-    const auto moved = [&](double end) { return around + (end - around) / factor; };
-    const std::pair range(moved(x.low), moved(x.high));
+    const double middle = toLength(x, around);
+    const auto way = [&](double end) { return (toLength(x, end) - middle) * (1 / factor - 1); };
+    const std::pair range(moved(x, x.low, way(x.low)), moved(x, x.high, way(x.high)));
     constexpr double kLeastPart = 1e-6; // of the whole: beyond it numbers could not be told apart
-    const double whole = plot_.x.high - plot_.x.low;
-    if (range.second - range.first >= whole)
+    const double whole = toLength(x, plot_.x.high) - toLength(x, plot_.x.low);
+    const double part = toLength(x, range.second) - toLength(x, range.first);
+    if (part >= whole)
         changeRange(std::nullopt);
-    else if (range.second - range.first > kLeastPart * whole)
+    else if (part > kLeastPart * whole)
         changeRange(range);
+}
+
+double PlotView::stepped(double from, int way) const {
+    const PlotAxis x = shownPlot().x;
+    double length = toLength(x, from);
+    const double high = toLength(x, x.high);
+    const double step = way * kKeyStep * (high - toLength(x, x.low));
+    double to = from;
+    // Members of a sequence may be farther apart than a step.
+    do {
+        length += step;
+        const double at = fromLength(x, length);
+        if (at < x.low || at > x.high)
+            return plot_.isSequence ? to : std::clamp(at, x.low, x.high);
+        to = lookedAt(plot_, at);
+    } while (to == from);
+    return to;
 }
 
 void PlotView::keyPressEvent(QKeyEvent* event) {
     const PlotAxis x = shownPlot().x;
     const double from = crosshair_.value_or(plot_.at.value_or((x.low + x.high) / 2));
-    const double step = kKeyStep * (x.high - x.low);
     switch (event->key()) {
     case Qt::Key_Left:
-        return moveCrosshair(std::max(x.low, from - step));
+        return moveCrosshair(stepped(from, -1));
     case Qt::Key_Right:
-        return moveCrosshair(std::min(x.high, from + step));
+        return moveCrosshair(stepped(from, 1));
     case Qt::Key_Plus:
     case Qt::Key_Equal:
         return zoom(kWheelStep, from);

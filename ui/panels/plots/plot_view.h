@@ -47,6 +47,8 @@ class PlotView : public QWidget {
     void moveCrosshair(std::optional<double> x);
     void changeRange(std::optional<std::pair<double, double>> range);
     void zoom(double factor, double around);
+    /// Where an arrow key goes from there, 1 for right and -1 for left.
+    [[nodiscard]] double stepped(double from, int way) const;
 
     Plot plot_;
     std::optional<std::pair<double, double>> range_;

@@ -15,13 +15,13 @@ namespace {
 constexpr int kDigits = 6;
 constexpr std::size_t kMostValues = 16; ///< more than anyone reads
 
-/// "B<sub>0</sub>", or the caption.
+/// "B<sub>0</sub>", "Run 0"
 [[nodiscard]] QString nameOf(const PlotLine& line) {
     const QString index = QString::fromStdString(line.index).toHtmlEscaped();
-    if (line.caption != Caption::none)
-        return index.isEmpty() ? captionText(line.caption) : captionText(line.caption) + QLatin1Char(' ') + index;
-    const QString letter = QString::fromStdString(line.letter).toHtmlEscaped();
-    return index.isEmpty() ? letter : QStringLiteral("<i>%1</i><sub>%2</sub>").arg(letter, index);
+    QString letter = QString::fromStdString(line.letter).toHtmlEscaped();
+    if (!index.isEmpty())
+        letter = QStringLiteral("<i>%1</i><sub>%2</sub>").arg(letter, index);
+    return QStringLiteral("%1 %2").arg(captionText(line.caption), letter).trimmed();
 }
 
 /// "t = 0.5: B0 = 0.125; B1 = 0.375"

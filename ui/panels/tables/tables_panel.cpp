@@ -126,12 +126,25 @@ void TablesPanel::showNames() {
 
 void TablesPanel::showTable() {
     const auto chosen = static_cast<std::size_t>(choice_->currentIndex());
-    const std::vector<TableColumn> before = model_.table().columns;
+    const Table before = model_.table();
     model_.setTable(chosen < tables_.size() ? tables_[chosen] : Table());
-    if (model_.table().columns != before)
+    if (model_.table().caption != before.caption || model_.table().columns != before.columns)
         view_->resizeColumnsToContents();
+    else
+        widenColumns();
     followChoice();
     pointedOut_.follow(chosenPlaces());
+}
+
+/// Where numbers grew longer. None becomes narrower, or they would jump about in a drag.
+void TablesPanel::widenColumns() {
+    QHeaderView& header = *view_->horizontalHeader();
+    for (int column = 0; column < model_.columnCount(); ++column) {
+        const int before = header.sectionSize(column);
+        view_->resizeColumnToContents(column);
+        if (header.sectionSize(column) < before)
+            header.resizeSection(column, before);
+    }
 }
 
 void TablesPanel::followChoice() {

@@ -37,6 +37,7 @@ class TablesPanel : public QWidget, public WatchedPanel {
     void chooseAsked();
     bool chooseIn(std::size_t table, Point point);
     /// What belongs to the cells that are chosen.
+    void widenColumns();
     void followChoice();
     [[nodiscard]] Points chosenPlaces() const;
     void copyLatex() const;

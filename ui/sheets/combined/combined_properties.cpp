@@ -49,9 +49,7 @@ CombinedProperties::CombinedProperties(SheetEditor& editor, QWidget* parent)
 
 void CombinedProperties::makePlayer() {
     addHeading(QT_TRANSLATE_NOOP("Properties", "The algorithm step by step"));
-    stageName_ = new QLabel(this);
     player_ = new Player(this); // here, so that Tab comes to it last
-    addWide(stageName_);
     addWide(player_);
     player_->setKeepable(false); // a stage hides layers: there is nothing to write
     player_->setPace(kCalmPace);
@@ -92,7 +90,7 @@ void CombinedProperties::showCurve() {
     basis_->setCurrentIndex(static_cast<int>(value.basis));
     player_->setLast(isIncomplete(value) ? 0 : kLastStage);
     player_->setStage(editor().layerStage().value_or(kLastStage));
-    stageName_->setText(stageName(player_->stage()));
+    player_->setStageText(stageName(player_->stage()));
     automatic_->setEnabled(!value.corrections.empty() && value.method == CombinedCurve::Method::pairs);
 }
 

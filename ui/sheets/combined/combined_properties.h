@@ -28,7 +28,6 @@ class CombinedProperties : public PropertiesPanel {
     SliderField* degree_;
     QComboBox* basis_;
     QPushButton* automatic_;
-    QLabel* stageName_ = nullptr;
     Player* player_ = nullptr;
 };
 

@@ -2,6 +2,7 @@
 
 #include "core/document/limits.h"
 #include "core/elevation/elevation_edits.h"
+#include "core/geometry/tolerance.h"
 #include "ui/panels/result_text.h"
 #include "ui/sheets/elevation/elevation_actions.h"
 
@@ -66,14 +67,23 @@ void ElevationProperties::showCurve() {
     player_->setLast(shownElevations(value));
     if (!editor().hasStage())
         player_->setStage(value.times);
+    player_->setStageText(QStringLiteral("N = %1").arg(degree + player_->stage()));
+}
+
+void ElevationProperties::showNoCurve() {
+    deviation_->clear();
 }
 
 void ElevationProperties::showReduction() {
     const std::optional<Refitted<ElevationCurve>> reduced = withDegreeReduced(curve<ElevationCurve>());
     reduce_->setEnabled(reduced.has_value());
-    deviation_->setText(
-        reduced ? tr("The curve then moves by at most %1").arg(valueText(*reduced->deviation, kDeviationDigits))
-                : tr("The degree cannot fall any more"));
+    if (!reduced)
+        deviation_->setText(tr("The degree cannot fall any more"));
+    else if (*reduced->deviation <= kRoundingPart * diagonal(boxOf(curve<ElevationCurve>().points)))
+        deviation_->setText(tr("The curve then stays as it is"));
+    else
+        deviation_->setText(
+            tr("The curve then moves by at most %1").arg(valueText(*reduced->deviation, kDeviationDigits)));
 }
 
 void ElevationProperties::showStage(int times) {

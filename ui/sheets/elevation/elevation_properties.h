@@ -13,6 +13,7 @@ class ElevationProperties : public PropertiesPanel {
 
   protected:
     void showCurve() override;
+    void showNoCurve() override;
 
   private:
     void showReduction();

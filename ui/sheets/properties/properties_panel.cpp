@@ -119,8 +119,7 @@ void PropertiesPanel::showState() {
     const bool isThere = editor_.activeCurve() != nullptr;
     setEnabled(isThere);
     showLayerBoxes();
-    if (isThere)
-        showCurve();
+    isThere ? showCurve() : showNoCurve();
 }
 
 void PropertiesPanel::changeEvent(QEvent* event) {

@@ -25,6 +25,8 @@ class PropertiesPanel : public QWidget {
 
     /// Shows the active curve; nothing else may set a field. Not called while the sheet is empty: all is disabled then.
     virtual void showCurve() = 0;
+    /// Clears what a disabled panel should not say.
+    virtual void showNoCurve() {}
     /// Gives every text of the panel that no row has.
     virtual void retranslateFields() {}
 

@@ -25,18 +25,6 @@ bool isHandleOfKnot(const GripId& grip) {
     return grip.kind == GripKind::inHandle || grip.kind == GripKind::outHandle;
 }
 
-/// The knots that are selected by themselves or by a handle, ascending.
-std::vector<int> chosenKnots(const SheetEditor& editor) {
-    std::vector<int> knots;
-    for (const GripId& grip : editor.selectedGrips(editor.activeSerial()))
-        if (grip.kind == GripKind::point || isHandleOfKnot(grip))
-            knots.push_back(grip.index);
-    std::ranges::sort(knots);
-    const auto repeated = std::ranges::unique(knots);
-    knots.erase(repeated.begin(), repeated.end());
-    return knots;
-}
-
 bool hasChosenKnots(const SheetEditor& editor) {
     return pullsHandles(valueOf(editor)) && !chosenKnots(editor).empty();
 }
@@ -94,6 +82,17 @@ SheetAction closeAction() {
 }
 
 } // namespace
+
+std::vector<int> chosenKnots(const SheetEditor& editor) {
+    std::vector<int> knots;
+    for (const GripId& grip : editor.selectedGrips(editor.activeSerial()))
+        if (grip.kind == GripKind::point || isHandleOfKnot(grip))
+            knots.push_back(grip.index);
+    std::ranges::sort(knots);
+    const auto repeated = std::ranges::unique(knots);
+    knots.erase(repeated.begin(), repeated.end());
+    return knots;
+}
 
 std::vector<SheetAction> splineActions() {
     return {

@@ -5,6 +5,7 @@
 #include "core/spline/editing/joins.h"
 #include "ui/panels/result_text.h"
 #include "ui/sheets/spline/built_in_drawing.h"
+#include "ui/sheets/spline/spline_actions.h"
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
@@ -51,7 +52,7 @@ SplineProperties::SplineProperties(SheetEditor& editor, QWidget* parent)
     addHeading(QT_TRANSLATE_NOOP("Properties", "Selected knots"));
     join_ = addChoice(QT_TRANSLATE_NOOP("Properties", "Join"), {kJoinTexts.begin(), kJoinTexts.end()},
                       [this](const Curve& curve, double join) {
-                          return Curve(withJoin(valueOf(curve), this->editor().selectedPoints(),
+                          return Curve(withJoin(valueOf(curve), chosenKnots(this->editor()),
                                                 static_cast<SplineKnot::Join>(static_cast<int>(join))));
                       },
                       {QT_TRANSLATE_NOOP("Step", "Set the join")});
@@ -153,7 +154,7 @@ void SplineProperties::showCurve() {
     degree_->setValue(value.degree);
     const QSignalBlocker blocker(closed_);
     closed_->setChecked(value.closed);
-    const std::vector<int> knots = editor().selectedPoints();
+    const std::vector<int> knots = chosenKnots(editor());
     join_->setEnabled(!knots.empty() && value.degree > 2);
     if (!knots.empty())
         join_->setCurrentIndex(static_cast<int>(value.knots[static_cast<std::size_t>(knots.front())].join));

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kStepOfT = 0.01;
 constexpr int kStagesOfT = 99; // t = 0.01 to 0.99
+constexpr double kLevelsPerSecond = 1;
 
 const SubdivisionCurve& valueOf(const Curve& curve) {
     return std::get<SubdivisionCurve>(curve);
@@ -52,8 +53,10 @@ void SubdivisionProperties::makeRows() {
     addRow(QT_TRANSLATE_NOOP("Properties", "Further t"), further_);
     connect(further_, &QLineEdit::editingFinished, this, &SubdivisionProperties::takeFurther);
     showsCurve_ = addLayerBox("curve");
+    showsPieces_ = addLayerBox("pieces");
     setTabOrder(further_, showsCurve_);
-    setTabOrder(showsCurve_, multiplicity_);
+    setTabOrder(showsCurve_, showsPieces_);
+    setTabOrder(showsPieces_, multiplicity_);
     addRow(QT_TRANSLATE_NOOP("Properties", "Multiplicity of the selected point"), multiplicity_);
     connect(multiplicity_, &NumberField::valueCommitted, this, [this](double times) {
         SubdivisionCurve changed = curve<SubdivisionCurve>();
@@ -95,6 +98,7 @@ void SubdivisionProperties::makePlayer() {
 
 void SubdivisionProperties::retranslateFields() {
     showsCurve_->setText(tr("Show the curve"));
+    showsPieces_->setText(tr("Show the pieces"));
     further_->setToolTip(tr("Shows the de Casteljau scheme at these t as well, like 0.25; 0.75"));
     hasBlossom_->setText(tr("Show the blossom"));
     playedBox_->setItemText(0, tr("Parameter t"));
@@ -116,6 +120,15 @@ void SubdivisionProperties::showCurve() {
     player_->setLast(isIncomplete(value) ? 0 : overT ? kStagesOfT - 1 : most);
     if (!editor().hasStage())
         player_->setStage(overT ? static_cast<int>(std::lround((value.t - kStepOfT) / kStepOfT)) : value.levels);
+    player_->setPace(overT ? kStagesPerSecond : kLevelsPerSecond);
+    player_->setStageText(stageText());
+}
+
+QString SubdivisionProperties::stageText() {
+    const auto& onView = valueOf(editor().hasStage() ? stageCurve(player_->stage()) : *editor().activeCurve());
+    if (played() == Played::t)
+        return QStringLiteral("t = %1").arg(formatNumber(onView.t));
+    return QStringLiteral("2<sup>%1</sup> = %2").arg(onView.levels).arg(1 << onView.levels);
 }
 
 void SubdivisionProperties::showMultiplicity() {

@@ -34,6 +34,8 @@ class SubdivisionProperties : public PropertiesPanel {
     void showStage(int stage);
     void keepStage();
     [[nodiscard]] Curve stageCurve(int stage) const;
+    /// Of the stage on view.
+    [[nodiscard]] QString stageText();
     [[nodiscard]] Played played() const { return static_cast<Played>(playedBox_->currentIndex()); }
 
     SliderField* t_;
@@ -41,6 +43,7 @@ class SubdivisionProperties : public PropertiesPanel {
     SliderField* levels_;
     QLineEdit* further_;
     QCheckBox* showsCurve_ = nullptr;
+    QCheckBox* showsPieces_ = nullptr;
     NumberField* multiplicity_;
     QCheckBox* hasBlossom_;
     QLineEdit* blossom_;

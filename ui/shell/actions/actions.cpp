@@ -19,6 +19,8 @@ Actions::Actions(QWidget* window)
 
 void Actions::makeFile() {
     newDocument = make("new", QT_TRANSLATE_NOOP("Actions", "&New"), QKeySequence::New, IconName::New);
+    newWindow =
+        make("newWindow", QT_TRANSLATE_NOOP("Actions", "New &window"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
     open = make("open", QT_TRANSLATE_NOOP("Actions", "&Open…"), QKeySequence::Open, IconName::Open);
     save = make("save", QT_TRANSLATE_NOOP("Actions", "&Save"), QKeySequence::Save, IconName::Save);
     saveAs = make("saveAs", QT_TRANSLATE_NOOP("Actions", "Save &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));

@@ -19,6 +19,7 @@ class Actions : public QObject {
 
     // File
     QAction* newDocument;
+    QAction* newWindow;
     QAction* open;
     QAction* save;
     QAction* saveAs;

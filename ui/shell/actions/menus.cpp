@@ -37,7 +37,7 @@ QMenu* Menus::add(QMenu* parent, const char* text) {
 
 void Menus::fillFile(const Actions& actions) {
     QMenu* file = add(nullptr, QT_TRANSLATE_NOOP("Menus", "&File"));
-    file->addActions({actions.newDocument, actions.open});
+    file->addActions({actions.newDocument, actions.newWindow, actions.open});
     recent_ = add(file, QT_TRANSLATE_NOOP("Menus", "Open &recent"));
     fillExamples(file);
     file->addSeparator();

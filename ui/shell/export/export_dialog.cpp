@@ -23,6 +23,11 @@ constexpr double kMostWidth = 2000;
 constexpr double kMostMargin = 100;
 constexpr double kUsualDecimals = 3;
 
+/// For people: to four digits.
+double rounded(double value) {
+    return QString::number(value, 'g', 4).toDouble();
+}
+
 } // namespace
 
 ExportDialog::ExportDialog(ExportSubject subject, const FigureFileOptions& options, QWidget* parent)
@@ -125,7 +130,7 @@ void ExportDialog::connectFields() {
     connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::showFormat);
     connect(theme_, &QComboBox::currentIndexChanged, this, &ExportDialog::showDrawing);
     connect(layers_, &QListWidget::itemChanged, this, &ExportDialog::showDrawing);
-    connect(frames_, &QLineEdit::editingFinished, this, &ExportDialog::showFormat);
+    connect(frames_, &QLineEdit::textEdited, this, &ExportDialog::showFormat);
     // One of them decides.
     connect(hasOwnWidth_, &QCheckBox::toggled, this,
             [this](bool on) { hasOwnScale_->setChecked(hasOwnScale_->isChecked() && !on); });
@@ -158,7 +163,7 @@ void ExportDialog::retranslateUi() {
     for (int i = 0; i < layers_->count(); ++i)
         layers_->item(i)->setText(captionText(subject_.layers[static_cast<std::size_t>(i)].caption));
     form_->setLabel(format_, tr("&Format"));
-    form_->setLabel(width_, tr("&Width (mm)"));
+    form_->setLabel(width_, tr("Width (mm)"));
     form_->setLabel(scale_, tr("Scale (mm for a unit)"));
     form_->setLabel(margin_, tr("&Margin (mm)"));
     form_->setLabel(size_, tr("Page"));
@@ -170,9 +175,9 @@ void ExportDialog::retranslateUi() {
     form_->setLabel(dpi_, tr("&Dots per inch"));
     frames_->setPlaceholderText(tr("0; 5; 10 or 0..10 or t = 0.25; 0.5"));
     isAnimated_->setText(tr("A&nimated"));
-    hasOwnWidth_->setText(tr("&Own width"));
+    hasOwnWidth_->setText(tr("Set the &width"));
     hasTexts_->setText(tr("Text&s in the figure"));
-    hasOwnScale_->setText(tr("Own scale"));
+    hasOwnScale_->setText(tr("Set the scale"));
     holdsDocument_->setText(tr("The document &goes along, to open the file again"));
     hasInkscapeLayers_->setText(tr("Layers for &Inkscape"));
     hasOutlines_->setText(tr("O&utlines in place of letters"));
@@ -215,9 +220,9 @@ void ExportDialog::showDrawing() {
     const QLocale locale;
     size_->setText(tr("%1 × %2 mm").arg(locale.toString(page.width, 'g', 4), locale.toString(page.height, 'g', 4)));
     if (!hasOwnWidth_->isChecked())
-        width_->setValue(page.width);
+        width_->setValue(rounded(page.width));
     if (!hasOwnScale_->isChecked())
-        scale_->setValue(page.mmPerUnit);
+        scale_->setValue(rounded(page.mmPerUnit));
     preview_->setDrawing(std::move(drawing));
 }
 
@@ -225,12 +230,17 @@ FigureFormat ExportDialog::format() const {
     return static_cast<FigureFormat>(format_->currentData().toInt());
 }
 
-std::vector<std::string> ExportDialog::checkedLayers() const {
-    std::vector<std::string> names;
-    for (int i = 0; i < layers_->count(); ++i)
-        if (layers_->item(i)->checkState() == Qt::Checked)
-            names.emplace_back(subject_.layers[static_cast<std::size_t>(i)].name);
-    return names;
+std::optional<std::vector<std::string>> ExportDialog::checkedLayers() const {
+    std::vector<std::string> checked;
+    bool isAsShown = true;
+    for (int i = 0; i < layers_->count(); ++i) {
+        const ExportSubject::LayerChoice& layer = subject_.layers[static_cast<std::size_t>(i)];
+        const bool isChecked = layers_->item(i)->checkState() == Qt::Checked;
+        isAsShown = isAsShown && isChecked == layer.isShown;
+        if (isChecked)
+            checked.emplace_back(layer.name);
+    }
+    return isAsShown ? std::nullopt : std::optional(std::move(checked));
 }
 
 FigureFileOptions ExportDialog::options() const {

@@ -37,7 +37,8 @@ class ExportDialog : public QDialog {
     void showFormat();
     void showDrawing();
     [[nodiscard]] FigureFormat format() const;
-    [[nodiscard]] std::vector<std::string> checkedLayers() const;
+    /// Nothing where they are those on view, so that frames show what their stages bring.
+    [[nodiscard]] std::optional<std::vector<std::string>> checkedLayers() const;
 
     const ExportSubject subject_;
     FigurePreview* preview_;

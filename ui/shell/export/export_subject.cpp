@@ -19,7 +19,7 @@ ExportSubject sheetToExport(Document document, SheetIndex sheet) {
     ExportSubject subject;
     for (const LayerInfo& layer : layersOf(sheet))
         subject.layers.push_back({layer.name, layer.caption, isShown(layer, document.sheets[sheet].view)});
-    subject.hasFrames = atFrame(document.sheets[sheet], {}).has_value();
+    subject.hasFrames = atFrame(document.sheets[sheet], {FramePlace::Over::stage, 1}).has_value();
     subject.drawing = [document = std::move(document), sheet](const FigureFileOptions& options) {
         return drawn(document, sheet, options);
     };

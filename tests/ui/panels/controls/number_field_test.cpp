@@ -81,6 +81,12 @@ TEST_F(NumberFieldTest, showingFocusingAndLeavingChangesNoBit) {
     EXPECT_EQ(field->value(), third);
 }
 
+TEST_F(NumberFieldTest, aLongNumberShowsItsFirstDigits) {
+    neighbour->setFocus();
+    field->setValue(1.0 / 3);
+    EXPECT_EQ(field->cursorPosition(), 0);
+}
+
 TEST_F(NumberFieldTest, typingCommitsOnceHoweverItEnds) {
     QSignalSpy committed(field, &NumberField::valueCommitted);
     type(QStringLiteral("-2,25"));
