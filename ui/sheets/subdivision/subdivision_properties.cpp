@@ -125,7 +125,8 @@ void SubdivisionProperties::showCurve() {
 }
 
 QString SubdivisionProperties::stageText() {
-    const auto& onView = valueOf(editor().hasStage() ? stageCurve(player_->stage()) : *editor().activeCurve());
+    const SubdivisionCurve onView =
+        valueOf(editor().hasStage() ? stageCurve(player_->stage()) : *editor().activeCurve());
     if (played() == Played::t)
         return QStringLiteral("t = %1").arg(formatNumber(onView.t));
     return QStringLiteral("2<sup>%1</sup> = %2").arg(onView.levels).arg(1 << onView.levels);
