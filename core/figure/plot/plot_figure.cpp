@@ -130,6 +130,12 @@ double along(const PlotAxis& axis, double value) {
     return (toLength(axis, value) - low) / (toLength(axis, axis.high) - low);
 }
 
+/// The value at a part of the way between the ends of an axis.
+double valueAlong(const PlotAxis& axis, double part) {
+    const double low = toLength(axis, axis.low);
+    return fromLength(axis, low + part * (toLength(axis, axis.high) - low));
+}
+
 void addLine(Layer& layer, Point from, Point to, Role role) {
     const Points line{from, to};
     layer.strokes.push_back({polyline(line), role});
@@ -271,10 +277,9 @@ Point onPlot(const Plot& plot, const Box& frame, Point p) {
     return {frame.xmin + along(plot.x, p.x) * frame.width(), frame.ymin + along(plot.y, p.y) * frame.height()};
 }
 
-double plotX(const Plot& plot, const Box& frame, double millimetres) {
-    const double part = (millimetres - frame.xmin) / frame.width();
-    const double low = toLength(plot.x, plot.x.low);
-    return fromLength(plot.x, low + part * (toLength(plot.x, plot.x.high) - low));
+Point inPlot(const Plot& plot, const Box& frame, Point millimetres) {
+    return {valueAlong(plot.x, (millimetres.x - frame.xmin) / frame.width()),
+            valueAlong(plot.y, (millimetres.y - frame.ymin) / frame.height())};
 }
 
 Figure plotFigure(std::span<const Plot> plots, PlotSize size) {

@@ -18,9 +18,9 @@ struct PlotSize {
 /// What of the page lies between the axes: x to the right and y up from the page's lower left corner, in millimetres.
 [[nodiscard]] Box plotFrame(const Plot& plot, PlotSize size);
 
-/// A place of the plot on the page, in the same coordinates, and the x of such a place.
+/// A place of the plot on the page, in the same coordinates, and back.
 [[nodiscard]] Point onPlot(const Plot& plot, const Box& frame, Point p);
-[[nodiscard]] double plotX(const Plot& plot, const Box& frame, double millimetres);
+[[nodiscard]] Point inPlot(const Plot& plot, const Box& frame, Point millimetres);
 
 /// Plots as a figure in these coordinates, the first one at the top: a grid with numbers, lines cut off at the frame, a
 /// legend where lines have names, and marks where the lines are at the place that the plot is about.

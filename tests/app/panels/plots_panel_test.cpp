@@ -2,6 +2,7 @@
 #include "core/elevation/elevation.h"
 #include "tests/support/panel_test.h"
 #include "ui/panels/plots/plots_panel.h"
+#include "ui/panels/result_text.h"
 
 #include <QSignalSpy>
 #include <QWheelEvent>
@@ -106,6 +107,36 @@ TEST_F(PlotsPanelTest, zoomAlongXAndShowAllAgain) {
     EXPECT_NEAR(view.shownPlot().x.high - view.shownPlot().x.low, part.high - part.low, 1e-12);
     QTest::mouseDClick(&view, Qt::LeftButton, {}, at.toPoint());
     EXPECT_EQ(view.shownPlot().x, all);
+}
+
+class SplinePlotsTest : public PlotsPanelTest {
+  protected:
+    SplinePlotsTest()
+        : PlotsPanelTest(2) {}
+};
+
+TEST_F(SplinePlotsTest, zoomAlongBothAxesWhereTheyAreToScale) {
+    test::settle();
+    PlotView& view = *views().front();
+    ASSERT_TRUE(view.plot().isToScale) << "the hodograph";
+    const Plot all = view.shownPlot();
+    const QPoint at = view.rect().center();
+    QTest::mouseMove(&view, at);
+    ASSERT_TRUE(view.pointedAt());
+    EXPECT_FALSE(view.crosshair());
+    const Point place = *view.pointedAt();
+    ASSERT_EQ(valueTexts().size(), 1);
+    EXPECT_TRUE(valueTexts().front().contains(valueText(place.x, 6)));
+    wheel(view, at, 5);
+    const Plot part = view.shownPlot();
+    EXPECT_LT(part.x.high - part.x.low, all.x.high - all.x.low);
+    EXPECT_NEAR((part.y.high - part.y.low) / (part.x.high - part.x.low),
+                (all.y.high - all.y.low) / (all.x.high - all.x.low), 1e-9);
+    QTest::mouseMove(&view, at + QPoint(1, 0));
+    QTest::mouseMove(&view, at);
+    EXPECT_LT(distance(*view.pointedAt(), place), 1e-9 * (all.x.high - all.x.low)) << "what is under it stays there";
+    QTest::mouseDClick(&view, Qt::LeftButton, {}, at);
+    EXPECT_EQ(view.shownPlot(), all);
 }
 
 class ElevationPlotsTest : public PlotsPanelTest {

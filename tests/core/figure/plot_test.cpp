@@ -111,7 +111,7 @@ TEST(PlotFigure, marksWhatThePlotIsAbout) {
     const Points& marks = find(figure, "plot-at")->marks.front().at;
     ASSERT_EQ(marks.size(), 3U);
     EXPECT_NEAR(marks[1].y, onPlot(plot, frame, {0.25, 0.375}).y, 1e-12);
-    EXPECT_NEAR(plotX(plot, frame, marks[1].x), 0.25, 1e-12);
+    EXPECT_NEAR(inPlot(plot, frame, marks[1]).x, 0.25, 1e-12);
 }
 
 TEST(PlotFigure, numbersLogarithmicAxesByPowersOfTen) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kriva::ui {
 namespace {
@@ -41,17 +42,22 @@ QSize PlotView::minimumSizeHint() const {
 
 void PlotView::setPlot(Plot plot) {
     if (plot.x.variable != plot_.x.variable || plot.x.isLogarithmic != plot_.x.isLogarithmic)
-        range_.reset();
+        part_.reset();
     plot_ = std::move(plot);
     update();
 }
 
 Plot PlotView::shownPlot() const {
-    if (!range_)
+    if (!part_)
         return plot_;
     Plot shown = plot_;
-    std::tie(shown.x.low, shown.x.high) = *range_;
-    return withYFitted(std::move(shown));
+    shown.x.low = part_->xmin;
+    shown.x.high = part_->xmax;
+    if (!plot_.isToScale)
+        return withYFitted(std::move(shown));
+    shown.y.low = part_->ymin;
+    shown.y.high = part_->ymax;
+    return shown;
 }
 
 void PlotView::setCrosshair(std::optional<double> x) {
@@ -66,23 +72,25 @@ void PlotView::moveCrosshair(std::optional<double> x) {
     Q_EMIT crosshairMoved(x);
 }
 
-void PlotView::setRange(std::optional<std::pair<double, double>> range) {
-    range_ = range;
+void PlotView::setPart(const std::optional<Box>& part) {
+    part_ = part;
     update();
 }
 
-void PlotView::changeRange(std::optional<std::pair<double, double>> range) {
-    setRange(range);
-    Q_EMIT rangeChanged(range);
+void PlotView::changePart(const std::optional<Box>& part) {
+    setPart(part);
+    Q_EMIT partChanged(part);
 }
 
 PlotSize PlotView::plotSize() const {
     return {width() / kPixelsPerMillimetre, height() / kPixelsPerMillimetre};
 }
 
-double PlotView::xAt(double pixel) const {
+Point PlotView::placeAt(QPointF pixel) const {
     const Plot shown = shownPlot();
-    return plotX(shown, plotFrame(shown, plotSize()), pixel / kPixelsPerMillimetre);
+    const PlotSize size = plotSize();
+    return inPlot(shown, plotFrame(shown, size),
+                  {pixel.x() / kPixelsPerMillimetre, size.height - pixel.y() / kPixelsPerMillimetre});
 }
 
 void PlotView::paintEvent(QPaintEvent*) {
@@ -114,51 +122,60 @@ void PlotView::paintEvent(QPaintEvent*) {
 }
 
 void PlotView::mousePressEvent(QMouseEvent* event) {
-    pressed_ = event->position().x();
+    pressed_ = event->position();
 }
 
 void PlotView::mouseMoveEvent(QMouseEvent* event) {
-    const double pixel = event->position().x();
+    const QPointF pixel = event->position();
     if (event->buttons().testFlag(Qt::LeftButton)) {
-        const PlotAxis x = shownPlot().x;
-        const double way = toLength(x, xAt(pressed_)) - toLength(x, xAt(pixel));
-        if (!plot_.isToScale)
-            changeRange(std::pair(moved(x, x.low, way), moved(x, x.high, way)));
+        const Plot shown = shownPlot();
+        const Point from = placeAt(pressed_);
+        const Point to = placeAt(pixel);
+        const double wayX = toLength(shown.x, from.x) - toLength(shown.x, to.x);
+        const double wayY = toLength(shown.y, from.y) - toLength(shown.y, to.y);
+        changePart(Box{moved(shown.x, shown.x.low, wayX), moved(shown.y, shown.y.low, wayY),
+                       moved(shown.x, shown.x.high, wayX), moved(shown.y, shown.y.high, wayY)});
         pressed_ = pixel;
     }
-    const double at = xAt(pixel);
-    const PlotAxis x = shownPlot().x;
-    moveCrosshair(x.low <= at && at <= x.high && !plot_.isToScale ? std::optional(lookedAt(plot_, at)) : std::nullopt);
+    const Point at = placeAt(pixel);
+    const Plot shown = shownPlot();
+    const bool isInside = shown.x.low <= at.x && at.x <= shown.x.high;
+    if (!plot_.isToScale)
+        return moveCrosshair(isInside ? std::optional(lookedAt(plot_, at.x)) : std::nullopt);
+    pointedAt_ = isInside && shown.y.low <= at.y && at.y <= shown.y.high ? std::optional(at) : std::nullopt;
+    Q_EMIT pointedAtMoved();
 }
 
 void PlotView::mouseDoubleClickEvent(QMouseEvent*) {
-    changeRange(std::nullopt);
+    changePart(std::nullopt);
 }
 
 void PlotView::leaveEvent(QEvent*) {
     moveCrosshair(std::nullopt);
+    if (std::exchange(pointedAt_, std::nullopt))
+        Q_EMIT pointedAtMoved();
 }
 
 void PlotView::wheelEvent(QWheelEvent* event) {
     constexpr double kNotch = 120;
-    zoom(std::pow(kWheelStep, event->angleDelta().y() / kNotch), xAt(event->position().x()));
+    zoom(std::pow(kWheelStep, event->angleDelta().y() / kNotch), placeAt(event->position()));
     event->accept();
 }
 
-void PlotView::zoom(double factor, double around) {
-    const PlotAxis x = shownPlot().x;
-    if (plot_.isToScale)
-        return;
-    const double middle = toLength(x, around);
-    const auto way = [&](double end) { return (toLength(x, end) - middle) * (1 / factor - 1); };
-    const std::pair range(moved(x, x.low, way(x.low)), moved(x, x.high, way(x.high)));
+void PlotView::zoom(double factor, Point around) {
+    const Plot shown = shownPlot();
+    const auto nearer = [&](const PlotAxis& axis, double end, double middle) {
+        return moved(axis, end, (toLength(axis, end) - toLength(axis, middle)) * (1 / factor - 1));
+    };
+    const Box part{nearer(shown.x, shown.x.low, around.x), nearer(shown.y, shown.y.low, around.y),
+                   nearer(shown.x, shown.x.high, around.x), nearer(shown.y, shown.y.high, around.y)};
     constexpr double kLeastPart = 1e-6; // of the whole: beyond it numbers could not be told apart
-    const double whole = toLength(x, plot_.x.high) - toLength(x, plot_.x.low);
-    const double part = toLength(x, range.second) - toLength(x, range.first);
-    if (part >= whole)
-        changeRange(std::nullopt);
-    else if (part > kLeastPart * whole)
-        changeRange(range);
+    const double whole = toLength(shown.x, plot_.x.high) - toLength(shown.x, plot_.x.low);
+    const double seen = toLength(shown.x, part.xmax) - toLength(shown.x, part.xmin);
+    if (seen >= whole)
+        changePart(std::nullopt);
+    else if (seen > kLeastPart * whole)
+        changePart(part);
 }
 
 double PlotView::stepped(double from, int way) const {
@@ -179,20 +196,22 @@ double PlotView::stepped(double from, int way) const {
 }
 
 void PlotView::keyPressEvent(QKeyEvent* event) {
-    const PlotAxis x = shownPlot().x;
-    const double from = crosshair_.value_or(plot_.at.value_or((x.low + x.high) / 2));
+    const Plot shown = shownPlot();
+    const double from = crosshair_.value_or(plot_.at.value_or((shown.x.low + shown.x.high) / 2));
+    const Point middle = pointedAt_.value_or(Point{from, (shown.y.low + shown.y.high) / 2});
     switch (event->key()) {
     case Qt::Key_Left:
-        return moveCrosshair(stepped(from, -1));
     case Qt::Key_Right:
-        return moveCrosshair(stepped(from, 1));
+        if (plot_.isToScale)
+            return;
+        return moveCrosshair(stepped(from, event->key() == Qt::Key_Left ? -1 : 1));
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-        return zoom(kWheelStep, from);
+        return zoom(kWheelStep, middle);
     case Qt::Key_Minus:
-        return zoom(1 / kWheelStep, from);
+        return zoom(1 / kWheelStep, middle);
     case Qt::Key_0:
-        return changeRange(std::nullopt);
+        return changePart(std::nullopt);
     default:
         QWidget::keyPressEvent(event);
     }

@@ -8,7 +8,8 @@
 namespace kriva::ui {
 
 /// Draws a plot as large as it is, with a crosshair under the pointer or the arrow keys. The wheel zooms along x, a
-/// drag moves along it, a double-click shows all again; y always shows what there is.
+/// drag moves along it, a double-click shows all again; y always shows what there is. Plots to scale have no crosshair,
+/// and zoom along both axes.
 class PlotView : public QWidget {
     Q_OBJECT
   public:
@@ -21,15 +22,18 @@ class PlotView : public QWidget {
     [[nodiscard]] Plot shownPlot() const;
     void setCrosshair(std::optional<double> x);
     [[nodiscard]] std::optional<double> crosshair() const { return crosshair_; }
-    /// Shows a part of the axis x; nothing for all of it.
-    void setRange(std::optional<std::pair<double, double>> range);
+    /// The place under the pointer, in plots to scale.
+    [[nodiscard]] std::optional<Point> pointedAt() const { return pointedAt_; }
+    /// Shows a part of the axes, of x alone where the plot is not to scale; nothing for all of them.
+    void setPart(const std::optional<Box>& part);
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
   Q_SIGNALS:
     void crosshairMoved(std::optional<double> x);
-    void rangeChanged(std::optional<std::pair<double, double>> range);
+    void pointedAtMoved();
+    void partChanged(const std::optional<kriva::Box>& part);
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -43,17 +47,18 @@ class PlotView : public QWidget {
   private:
     [[nodiscard]] PlotSize plotSize() const;
     [[nodiscard]] Box frame() const { return plotFrame(plot_, plotSize()); }
-    [[nodiscard]] double xAt(double pixel) const;
+    [[nodiscard]] Point placeAt(QPointF pixel) const;
     void moveCrosshair(std::optional<double> x);
-    void changeRange(std::optional<std::pair<double, double>> range);
-    void zoom(double factor, double around);
+    void changePart(const std::optional<Box>& part);
+    void zoom(double factor, Point around);
     /// Where an arrow key goes from there, 1 for right and -1 for left.
     [[nodiscard]] double stepped(double from, int way) const;
 
     Plot plot_;
-    std::optional<std::pair<double, double>> range_;
+    std::optional<Box> part_;
     std::optional<double> crosshair_;
-    double pressed_ = 0; ///< pixel of the pointer when the last part of a drag began
+    std::optional<Point> pointedAt_;
+    QPointF pressed_; ///< pixel of the pointer when the last part of a drag began
     MarkPictures pictures_;
 };
 

@@ -7,6 +7,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace kriva::ui {
@@ -32,6 +33,13 @@ constexpr std::size_t kMostValues = 16; ///< more than anyone reads
             values.append(QStringLiteral("%1 = %2").arg(nameOf(line), valueText(*y, kDigits)));
     return QStringLiteral("<i>%1</i> = %2: %3")
         .arg(QString::fromStdString(plot.x.variable), valueText(x, kDigits), values.join(QStringLiteral("; ")));
+}
+
+/// "x′ = 2; y′ = 1"
+[[nodiscard]] QString placeText(const Plot& plot, Point at) {
+    return QStringLiteral("<i>%1</i> = %2; <i>%3</i> = %4")
+        .arg(QString::fromStdString(plot.x.variable), valueText(at.x, kDigits), QString::fromStdString(plot.y.variable),
+             valueText(at.y, kDigits));
 }
 
 } // namespace
@@ -129,9 +137,10 @@ void PlotsPanel::makeRows(std::size_t count) {
                 other.view->setCrosshair(x);
             showValues();
         });
-        connect(row.view, &PlotView::rangeChanged, this, [this](const auto& range) {
+        connect(row.view, &PlotView::pointedAtMoved, this, &PlotsPanel::showValues);
+        connect(row.view, &PlotView::partChanged, this, [this](const std::optional<Box>& part) {
             for (const Row& other : rows_)
-                other.view->setRange(range);
+                other.view->setPart(part);
         });
         rows_.push_back(row);
     }
@@ -141,7 +150,15 @@ void PlotsPanel::showValues() {
     for (const Row& row : rows_) {
         const Plot& plot = row.view->plot();
         const std::optional<double> x = row.view->crosshair() ? row.view->crosshair() : plot.at;
-        row.values->setText(x && !plot.isToScale ? valuesAt(plot, *x) : QString());
+        QString text = QStringLiteral(" ");
+        if (plot.isToScale && row.view->pointedAt())
+            text = placeText(plot, *row.view->pointedAt());
+        else if (!plot.isToScale && x)
+            text = valuesAt(plot, *x);
+        row.values->setText(text);
+        // A line more makes room once and for all, or the plot would jump about under the pointer.
+        row.values->setMinimumHeight(
+            std::max(row.values->minimumHeight(), row.values->heightForWidth(row.values->width())));
     }
 }
 
