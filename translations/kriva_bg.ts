@@ -593,6 +593,10 @@
         <source>Legend</source>
         <translation>Легенда</translation>
     </message>
+    <message>
+        <source>Residual (root mean square)</source>
+        <translation>Остатък (средноквадратичен)</translation>
+    </message>
 </context>
 <context>
     <name>Clip</name>

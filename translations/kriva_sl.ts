@@ -593,6 +593,10 @@
         <source>Legend</source>
         <translation>Legenda</translation>
     </message>
+    <message>
+        <source>Residual (root mean square)</source>
+        <translation>Ostanek (koren povprečja kvadratov)</translation>
+    </message>
 </context>
 <context>
     <name>Clip</name>

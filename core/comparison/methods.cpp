@@ -71,7 +71,7 @@ Table compareMethods(const CombinedCurve& curve) {
     Table table{Caption::methods,
                 {{Caption::method},
                  {Caption::degree},
-                 {Caption::rms},
+                 {Caption::residual},
                  {Caption::largestKink},
                  {Caption::slopeVariation},
                  {Caption::bendingEnergy},

@@ -70,7 +70,8 @@ enum class Caption {
     runPoints, ///< by run, first and last
     runDegree,
     runCoefficients,
-    rms,
+    rms,      ///< by run
+    residual, ///< the same in a table that says of what
     maxError,
     largestKink,
     slopeVariation,

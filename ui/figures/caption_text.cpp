@@ -138,6 +138,8 @@ class Captions {
             return tr("Degree of run");
         case Caption::runCoefficients:
             return tr("Coefficients of run");
+        case Caption::residual:
+            return tr("Residual (root mean square)");
         case Caption::rms:
             return tr("Residual (root mean square) of run");
         case Caption::maxError:

@@ -9,13 +9,21 @@ namespace kriva {
 namespace {
 
 Table runsTable(const Combined& combined) {
-    Table table{
-        Caption::runs, {{Caption::run}, {Caption::points}, {Caption::degree}, {Caption::rms}, {Caption::maxError}}, {}};
-    std::size_t most = 0;
-    for (const CombinedRun& run : combined.runs)
-        most = std::max(most, run.coefficients.size());
-    for (std::size_t k = 0; k < most; ++k)
-        table.columns.push_back({Caption::none, "c", decimal(static_cast<int>(k))});
+    Table table{Caption::runs,
+                {{Caption::run}, {Caption::points}, {Caption::degree}, {Caption::residual}, {Caption::maxError}},
+                {}};
+    std::size_t coefficients = 0;
+    std::size_t nodes = 0;
+    for (const CombinedRun& run : combined.runs) {
+        coefficients = std::max(coefficients, run.coefficients.size());
+        nodes = std::max(nodes, run.nodes.size());
+    }
+    const auto addColumns = [&](const char* letter, std::size_t count) {
+        for (std::size_t k = 0; k < count; ++k)
+            table.columns.push_back({Caption::none, letter, decimal(static_cast<int>(k))});
+    };
+    addColumns("c", coefficients);
+    addColumns("x", nodes); // of Newton's and Lagrange's basis
     for (const CombinedRun& run : combined.runs) {
         std::vector<TableCell>& row = table.rows.emplace_back();
         row.push_back({static_cast<int>(table.rows.size()) - 1});
@@ -23,6 +31,9 @@ Table runsTable(const Combined& combined) {
         row.insert(row.end(), {{run.degree}, {run.rms}, {run.maxError}});
         for (const double coefficient : run.coefficients)
             row.push_back({coefficient});
+        row.resize(table.columns.size() - nodes);
+        for (const double node : run.nodes)
+            row.push_back({node});
         row.resize(table.columns.size());
     }
     return table;

@@ -55,6 +55,20 @@ TEST(CombinedTables, tellRunsAndJoins) {
     EXPECT_EQ(std::get<Point>(tables[1].rows[0][2].value), combined.joins[0].points[0]);
 }
 
+TEST(CombinedTables, nameTheNodesOfTheBasis) {
+    CombinedCurve curve = arch();
+    EXPECT_TRUE(std::ranges::none_of(tablesOf(curve)[0].columns, [](const auto& c) { return c.letter == "x"; }));
+    curve.basis = CombinedCurve::Basis::newton;
+    const Combined combined = combine(curve);
+    const Table table = tablesOf(curve)[0];
+    const auto first = std::ranges::find(table.columns, "x", &TableColumn::letter);
+    ASSERT_NE(first, table.columns.end());
+    const auto column = static_cast<std::size_t>(first - table.columns.begin());
+    for (std::size_t i = 0; i < combined.runs.size(); ++i)
+        for (std::size_t k = 0; k < combined.runs[i].nodes.size(); ++k)
+            EXPECT_EQ(std::get<double>(table.rows[i][column + k].value), combined.runs[i].nodes[k]);
+}
+
 TEST(CompareMethods, tellsWhichIsBest) {
     const CombinedCurve curve = arch();
     const Table table = compareMethods(curve);
