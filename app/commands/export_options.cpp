@@ -6,7 +6,6 @@
 #include <QCoreApplication>
 
 #include <array>
-#include <cmath>
 
 namespace kriva::app {
 
