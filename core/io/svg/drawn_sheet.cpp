@@ -58,8 +58,8 @@ std::string writeDrawnSheet(const DrawnSheet& drawn) {
     return text;
 }
 
-std::optional<DrawnSheet> readDrawnSheet(std::string_view text) {
-    auto read = readJson(text, readChecked);
+std::optional<DrawnSheet> readDrawnSheet(std::string_view json) {
+    auto read = readJson(json, readChecked);
     if (std::holds_alternative<FileError>(read))
         return {};
     return std::get<DrawnSheet>(std::move(read));
