@@ -13,4 +13,7 @@ namespace kriva {
 /// Nothing where the text is no `#` with six hexadecimal digits.
 [[nodiscard]] std::optional<Color> colorFromHex(std::string_view text);
 
+/// How well one is seen on the other, from 1 to 21. Source: WCAG 2.1, "contrast ratio".
+[[nodiscard]] double contrast(Color a, Color b);
+
 } // namespace kriva

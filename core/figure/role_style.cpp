@@ -1,8 +1,11 @@
 #include "core/figure/role_style.h"
 
+#include "core/figure/color.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <span>
 
 namespace kriva {
@@ -103,6 +106,14 @@ std::vector<double> dashesOf(LineDash dash, double width) {
     return lengths;
 }
 
+/// The colour at that part of the way from one to another.
+Color between(Color from, Color to, double part) {
+    const auto mix = [part](std::uint8_t a, std::uint8_t b) {
+        return static_cast<std::uint8_t>(std::lround(a + part * (b - a)));
+    };
+    return {mix(from.red, to.red), mix(from.green, to.green), mix(from.blue, to.blue)};
+}
+
 template <class Element, std::size_t size>
 const Element& cyclic(const std::array<Element, size>& elements, int index) {
     assert(index >= 0);
@@ -186,6 +197,19 @@ RoleStyle styleOf(const Marks& marks, Theme theme) {
     RoleStyle style = styleOf(marks.role, marks.series, theme);
     style.marker = marks.marker.value_or(style.marker);
     return style;
+}
+
+Color labelColor(Role role, Theme theme) {
+    constexpr double kReadable = 4.5; // WCAG 2.1, 1.4.3
+    const Color own = styleOf(role, 0, theme).color;
+    const Color text = styleOf(Role::label, 0, theme).color;
+    constexpr int kSteps = 20;
+    for (int step = 0; step < kSteps; ++step) {
+        const Color mixed = between(own, text, static_cast<double>(step) / kSteps);
+        if (contrast(mixed, paperColor(theme)) >= kReadable)
+            return mixed;
+    }
+    return text;
 }
 
 Color paperColor(Theme theme) {

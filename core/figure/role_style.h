@@ -29,6 +29,10 @@ struct RoleStyle {
 /// The style of marks: that of their role, with the shape that their curve sets.
 [[nodiscard]] RoleStyle styleOf(const Marks& marks, Theme theme);
 
+/// The colour of a label of that role: the role's own, or where letters in it would be too faint to read, one between
+/// it and that of other labels.
+[[nodiscard]] Color labelColor(Role role, Theme theme);
+
 /// What the figure is drawn on.
 [[nodiscard]] Color paperColor(Theme theme);
 

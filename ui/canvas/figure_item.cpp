@@ -174,7 +174,7 @@ void FigureItem::draw(QPainter& painter, const QRectF& seen) const {
         for (const Stamps& marks : layer.marks)
             kriva::ui::paint(painter, marks, devicePixelRatio_);
         for (const PlacedLabel& label : layer.labels) {
-            painter.setPen(toQt(styleOf(label.role, 0, theme_).color));
+            painter.setPen(toQt(labelColor(label.role, theme_)));
             paintLabel(painter, label, kPixelsPerMillimetre * toQt(label.baseline), fonts);
         }
     }

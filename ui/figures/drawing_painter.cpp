@@ -36,7 +36,7 @@ class DrawingPainter {
                 paintMark(painter_, style, place(p), pointSize());
         }
         for (const PlacedLabel& label : labels) {
-            painter_.setPen(toQt(styleOf(label.role, 0, drawing_.theme).color));
+            painter_.setPen(toQt(labelColor(label.role, drawing_.theme)));
             paintLabel(painter_, label, {unit_ * label.baseline.x, unit_ * label.baseline.y}, fonts_);
         }
     }

@@ -210,7 +210,7 @@ void TikzText::label(const PlacedLabel& label, std::string_view layer) {
     constexpr std::string_view kAnchors[] = {"base west", "base", "base east"};
     const std::string style =
         styleNamed(std::string(layer) + " text",
-                   "inner sep=0, font=\\footnotesize, text=" + colorText(styleOf(label.role, 0, drawing_.theme).color));
+                   "inner sep=0, font=\\footnotesize, text=" + colorText(labelColor(label.role, drawing_.theme)));
     const std::string subscript = label.subscript.empty() ? "" : "_{" + latexFormula(label.subscript) + "}";
     std::string text;
     if (label.isVariable)

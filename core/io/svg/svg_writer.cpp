@@ -232,7 +232,7 @@ void SvgText::label(const PlacedLabel& label) {
     attribute("text-anchor", kAnchors[static_cast<std::size_t>(label.anchor)]);
     if (label.isVariable)
         attribute("font-style", "italic");
-    attribute("fill", hexOf(styleOf(label.role, 0, drawing_.theme).color));
+    attribute("fill", hexOf(labelColor(label.role, drawing_.theme)));
     text_.append(">").append(xmlText(label.text));
     if (!label.subscript.empty())
         part(label.subscript, kSubscriptDrop, kSubscriptSize);
@@ -245,7 +245,7 @@ void SvgText::outline(const PlacedLabel& label) {
     text_ += "<path";
     attribute("aria-label", xmlText(label.text + label.subscript + label.suffix));
     attribute("d", options_.outlineOf(label));
-    attribute("fill", hexOf(styleOf(label.role, 0, drawing_.theme).color));
+    attribute("fill", hexOf(labelColor(label.role, drawing_.theme)));
     line("/>");
 }
 

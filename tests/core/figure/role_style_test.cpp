@@ -1,9 +1,9 @@
+#include "core/figure/color.h"
 #include "core/figure/role_style.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace kriva {
 namespace {
@@ -15,20 +15,6 @@ std::vector<Role> allRoles() {
     for (int role = 0; role <= static_cast<int>(Role::label); ++role)
         roles.push_back(static_cast<Role>(role));
     return roles;
-}
-
-/// Relative luminance as WCAG 2.1 defines it: what is left of a colour in a grey print.
-double luminance(Color color) {
-    const auto linear = [](std::uint8_t part) {
-        const double value = part / 255.0;
-        return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue);
-}
-
-double contrast(Color a, Color b) {
-    const auto [low, high] = std::minmax({luminance(a), luminance(b)});
-    return (high + 0.05) / (low + 0.05);
 }
 
 bool isHollow(const RoleStyle& style) {
@@ -100,6 +86,22 @@ TEST(RoleStyle, dashesOfAWideLineKeepTheirGaps) {
     ASSERT_EQ(wide.size(), thin.size());
     for (std::size_t i = 0; i < wide.size(); ++i)
         EXPECT_DOUBLE_EQ(wide[i], 10 * thin[i]);
+}
+
+TEST(Contrast, isThatOfWcag) {
+    EXPECT_DOUBLE_EQ(contrast({0, 0, 0}, {255, 255, 255}), 21);
+    EXPECT_DOUBLE_EQ(contrast({255, 255, 255}, {0, 0, 0}), 21);
+    EXPECT_NEAR(contrast({0x77, 0x77, 0x77}, {255, 255, 255}), 4.478, 1e-3); // the well-known grey that just fails
+    EXPECT_DOUBLE_EQ(contrast({1, 2, 3}, {1, 2, 3}), 1);
+}
+
+TEST(RoleStyle, hasReadableLabels) {
+    for (const Theme theme : kThemes) {
+        for (const Role role : allRoles())
+            EXPECT_GE(contrast(labelColor(role, theme), paperColor(theme)), 4.5) << static_cast<int>(role);
+        EXPECT_EQ(labelColor(Role::label, theme), styleOf(Role::label, 0, theme).color);
+        EXPECT_EQ(labelColor(Role::point, theme), styleOf(Role::point, 0, theme).color) << "it is dark enough";
+    }
 }
 
 TEST(RoleStyle, takesTheShapeOfMarksFromTheirCurve) {
