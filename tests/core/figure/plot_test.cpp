@@ -139,7 +139,8 @@ TEST(PlotFigure, hasFurtherNumbersOnAPartOfALogarithmicAxis) {
     const auto numbersOf = [](double low, double high) {
         Plot plot{Caption::gap, {.low = low, .high = high, .isLogarithmic = true}, {}, {}};
         std::vector<double> numbers;
-        for (const Label& label : find(figureOfOne(plot), "plot-numbers")->labels)
+        const Figure figure = figureOfOne(plot);
+        for (const Label& label : find(figure, "plot-numbers")->labels)
             if (label.number && label.side == LabelSide::below)
                 numbers.push_back(label.number->value);
         return numbers;
