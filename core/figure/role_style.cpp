@@ -199,17 +199,35 @@ RoleStyle styleOf(const Marks& marks, Theme theme) {
     return style;
 }
 
-Color labelColor(Role role, Theme theme) {
+namespace {
+
+/// The colour of a role, as much nearer to that of texts as letters need.
+Color readable(Role role, Theme theme) {
     constexpr double kReadable = 4.5; // WCAG 2.1, 1.4.3
+    constexpr int kSteps = 20;
     const Color own = styleOf(role, 0, theme).color;
     const Color text = styleOf(Role::label, 0, theme).color;
-    constexpr int kSteps = 20;
     for (int step = 0; step < kSteps; ++step) {
         const Color mixed = between(own, text, static_cast<double>(step) / kSteps);
         if (contrast(mixed, paperColor(theme)) >= kReadable)
             return mixed;
     }
     return text;
+}
+
+} // namespace
+
+Color labelColor(Role role, Theme theme) {
+    using ColorsOfRoles = std::array<Color, static_cast<std::size_t>(Role::plotMark) + 1>;
+    // Worked out once: a frame asks for every label.
+    static const std::array<ColorsOfRoles, 2> kColors = [] {
+        std::array<ColorsOfRoles, 2> colors;
+        for (const Theme paper : {Theme::light, Theme::dark})
+            for (std::size_t i = 0; i < colors[0].size(); ++i)
+                colors[static_cast<std::size_t>(paper)][i] = readable(static_cast<Role>(i), paper);
+        return colors;
+    }();
+    return kColors[static_cast<std::size_t>(theme)][static_cast<std::size_t>(role)];
 }
 
 Color paperColor(Theme theme) {
