@@ -2,9 +2,9 @@
 
 #include "core/document/limits.h"
 #include "core/io/svg/paths/path_reader.h"
-#include "core/io/svg/paths/svg_scanner.h"
 #include "core/io/svg/paths/svg_shapes.h"
 #include "core/io/svg/paths/svg_transform.h"
+#include "core/io/svg/paths/svg_view_box.h"
 #include "core/io/svg/svg_names.h"
 #include "core/io/svg/svg_xml.h"
 
@@ -30,14 +30,6 @@ bool isDisplayed(const pugi::xml_node& element) {
     std::erase_if(style, [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; });
     return style.find("display:none") == std::string::npos;
 }
-
-/// "0 0 100 50"
-struct ViewBox {
-    double x = 0;
-    double y = 0;
-    double width = 0;
-    double height = 0;
-};
 
 class SvgPaths {
   public:
@@ -190,15 +182,8 @@ bool SvgPaths::nested(const pugi::xml_node& element, Place place, std::optional<
     if (!viewBoxOf(element, box))
         return false;
     if (box) {
-        double scaleX = size->width / box->width;
-        double scaleY = size->height / box->height;
-        Vector room;
-        // The whole box in the middle; other ways of preserveAspectRatio are rare and move the picture as a whole.
-        if (element.attribute("preserveAspectRatio").value() != std::string_view("none")) {
-            scaleX = scaleY = std::min(scaleX, scaleY);
-            room = {(size->width - scaleX * box->width) / 2, (size->height - scaleY * box->height) / 2};
-        }
-        place.map = place.map * translation(room) * scaling(scaleX, scaleY) * translation({-box->x, -box->y});
+        const bool isStretched = element.attribute("preserveAspectRatio").value() == std::string_view("none");
+        place.map = place.map * mapInto(*size, *box, isStretched);
         place.viewport = {box->width, box->height};
     }
     return children(element, place);
@@ -271,39 +256,29 @@ std::optional<ViewBox> SvgPaths::placeOf(const pugi::xml_node& element, const Sv
 
 bool SvgPaths::viewBoxOf(const pugi::xml_node& element, std::optional<ViewBox>& box) {
     const pugi::xml_attribute attribute = element.attribute("viewBox");
-    if (!attribute)
-        return true;
-    SvgScanner scanner(attribute.value());
-    scanner.skipBlanks();
-    std::array<double, 4> numbers{};
-    for (double& number : numbers) {
-        const std::optional<double> read = scanner.number();
-        if (!read)
-            return refuse(element, "viewBox");
-        number = *read;
-    }
-    if (!scanner.isAtEnd() || !(numbers[2] > 0 && numbers[3] > 0))
-        return refuse(element, "viewBox");
-    box = ViewBox{numbers[0], numbers[1], numbers[2], numbers[3]};
-    return true;
+    if (attribute)
+        box = readViewBox(attribute.value());
+    return !attribute || box || refuse(element, "viewBox");
+}
+
+/// What `read` makes of the text, where it is XML.
+template <class Read>
+std::variant<std::vector<ImportedPath>, FileError> inSvg(std::string_view svg, Read read) {
+    pugi::xml_document xml;
+    if (std::optional<FileError> error = openSvg(svg, xml))
+        return std::move(*error);
+    const pugi::xml_node root = xml.document_element();
+    return read(SvgPaths(svg, root));
 }
 
 } // namespace
 
 std::variant<std::vector<ImportedPath>, FileError> readSvgPaths(std::string_view svg) {
-    pugi::xml_document xml;
-    if (std::optional<FileError> error = openSvg(svg, xml))
-        return std::move(*error);
-    const pugi::xml_node root = xml.document_element();
-    return SvgPaths(svg, root).read();
+    return inSvg(svg, [](SvgPaths paths) { return std::move(paths).read(); });
 }
 
 std::variant<std::vector<ImportedPath>, FileError> readOwnCurves(std::string_view svg) {
-    pugi::xml_document xml;
-    if (std::optional<FileError> error = openSvg(svg, xml))
-        return std::move(*error);
-    const pugi::xml_node root = xml.document_element();
-    return SvgPaths(svg, root).readOwn();
+    return inSvg(svg, [](SvgPaths paths) { return std::move(paths).readOwn(); });
 }
 
 std::variant<std::vector<ImportedPath>, FileError> readPathsOfData(std::string_view data) {
