@@ -90,6 +90,8 @@ QToolButton* Player::button(const char* name) {
 }
 
 void Player::setPace(double stagesPerSecond) {
+    if (pace_ == stagesPerSecond) // a timer that is set again begins anew
+        return;
     pace_ = stagesPerSecond;
     timer_.setInterval(interval(pace_ * speedFactor_));
 }

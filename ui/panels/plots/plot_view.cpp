@@ -86,8 +86,7 @@ PlotSize PlotView::plotSize() const {
     return {width() / kPixelsPerMillimetre, height() / kPixelsPerMillimetre};
 }
 
-Point PlotView::placeAt(QPointF pixel) const {
-    const Plot shown = shownPlot();
+Point PlotView::placeAt(const Plot& shown, QPointF pixel) const {
     const PlotSize size = plotSize();
     return inPlot(shown, plotFrame(shown, size),
                   {pixel.x() / kPixelsPerMillimetre, size.height - pixel.y() / kPixelsPerMillimetre});
@@ -129,16 +128,16 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF pixel = event->position();
     if (event->buttons().testFlag(Qt::LeftButton)) {
         const Plot shown = shownPlot();
-        const Point from = placeAt(pressed_);
-        const Point to = placeAt(pixel);
+        const Point from = placeAt(shown, pressed_);
+        const Point to = placeAt(shown, pixel);
         const double wayX = toLength(shown.x, from.x) - toLength(shown.x, to.x);
         const double wayY = toLength(shown.y, from.y) - toLength(shown.y, to.y);
         changePart(Box{moved(shown.x, shown.x.low, wayX), moved(shown.y, shown.y.low, wayY),
                        moved(shown.x, shown.x.high, wayX), moved(shown.y, shown.y.high, wayY)});
         pressed_ = pixel;
     }
-    const Point at = placeAt(pixel);
     const Plot shown = shownPlot();
+    const Point at = placeAt(shown, pixel);
     const bool isInside = shown.x.low <= at.x && at.x <= shown.x.high;
     if (!plot_.isToScale)
         return moveCrosshair(isInside ? std::optional(lookedAt(plot_, at.x)) : std::nullopt);
@@ -158,7 +157,7 @@ void PlotView::leaveEvent(QEvent*) {
 
 void PlotView::wheelEvent(QWheelEvent* event) {
     constexpr double kNotch = 120;
-    zoom(std::pow(kWheelStep, event->angleDelta().y() / kNotch), placeAt(event->position()));
+    zoom(std::pow(kWheelStep, event->angleDelta().y() / kNotch), placeAt(shownPlot(), event->position()));
     event->accept();
 }
 

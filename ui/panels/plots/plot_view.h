@@ -47,7 +47,7 @@ class PlotView : public QWidget {
   private:
     [[nodiscard]] PlotSize plotSize() const;
     [[nodiscard]] Box frame() const { return plotFrame(plot_, plotSize()); }
-    [[nodiscard]] Point placeAt(QPointF pixel) const;
+    [[nodiscard]] Point placeAt(const Plot& shown, QPointF pixel) const;
     void moveCrosshair(std::optional<double> x);
     void changePart(const std::optional<Box>& part);
     void zoom(double factor, Point around);
