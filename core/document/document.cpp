@@ -22,6 +22,24 @@ Edited<Curve> widened(Edited<C> edited) {
     return {Curve(std::move(edited.curve)), std::move(edited.map)};
 }
 
+/// The layer with the marks that such grips are taken hold of by.
+std::string_view layerOf(GripKind kind, const Curve& curve) {
+    switch (kind) {
+    case GripKind::point:
+        return std::holds_alternative<SplineCurve>(curve) ? "knots" : "points";
+    case GripKind::inHandle:
+    case GripKind::outHandle:
+    case GripKind::inner:
+        return "handles";
+    case GripKind::middle:
+        return "middle-points";
+    case GripKind::startDerivative:
+    case GripKind::endDerivative:
+        return "end-derivatives";
+    }
+    return {};
+}
+
 bool sameContent(const Curve& a, const Curve& b) {
     return viewOf(a) == viewOf(b) ? a == b : withView(a, viewOf(b)) == b;
 }
@@ -177,6 +195,17 @@ std::span<const LayerInfo> layersOf(SheetIndex sheet) {
 
 Figure figureOf(const Curve& curve, const FigureContext& context) {
     return styled(std::visit([&](const auto& c) { return figureOf(c, context); }, curve), styleOf(curve));
+}
+
+std::vector<Grip> drawnGrips(const Curve& curve, const FigureContext& context) {
+    std::vector<GripKind> hidden; // asked once for each kind: a curve may have as many grips as points
+    for (const GripKind kind : kGripKinds)
+        if (!isDrawn(layerOf(kind, curve), layersOf(curve.index()), context))
+            hidden.push_back(kind);
+    std::vector<Grip> drawn = grips(curve);
+    if (!hidden.empty())
+        std::erase_if(drawn, [&](const Grip& grip) { return std::ranges::find(hidden, grip.id.kind) != hidden.end(); });
+    return drawn;
 }
 
 std::vector<Result> results(const Curve& curve) {

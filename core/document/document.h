@@ -85,6 +85,8 @@ template <class C>
 [[nodiscard]] Edited<Curve> reversed(const Curve& curve);
 [[nodiscard]] std::span<const LayerInfo> layersOf(SheetIndex sheet);
 [[nodiscard]] Figure figureOf(const Curve& curve, const FigureContext& context);
+/// The grips whose layer is drawn: nobody takes hold of what is hidden.
+[[nodiscard]] std::vector<Grip> drawnGrips(const Curve& curve, const FigureContext& context);
 [[nodiscard]] std::vector<Result> results(const Curve& curve);
 
 /// The sheet with its active curve at that place of its animation; nothing where it has no such place.

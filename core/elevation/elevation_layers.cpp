@@ -16,17 +16,23 @@ constexpr double kStrongest = 0.75;
 /// Thin, or a hundred of them are a blot.
 constexpr double kThin = 0.4;
 
-/// How far a tangent goes beyond the leg it continues, and how long the head of its arrow is at most, by the leg and by
-/// the polygon.
+/// How far a tangent goes beyond the leg it continues, by the leg and at least by the polygon: legs shrink with every
+/// elevation. How long the head of its arrow is at most, by the arrow and by the polygon.
 constexpr double kBeyond = 0.3;
-constexpr double kHeadOfLeg = 0.3;
+constexpr double kBeyondOfPolygon = 0.1;
+constexpr double kHeadOfArrow = 0.3;
 constexpr double kHeadOfPolygon = 0.035;
 constexpr double kHeadHalfWidth = 0.35; // by its length
 
-void addArrow(Layer& layer, Point from, Point to, double mostHead) {
+/// Along the leg and beyond it.
+void addTangent(Layer& layer, Point from, Point legEnd, double size) {
+    const Vector leg = legEnd - from;
+    const double beyond = std::max(kBeyond, kBeyondOfPolygon * size / length(leg));
+    const Point to = legEnd + beyond * leg;
+    const double mostHead = kHeadOfPolygon * size;
     const Vector way = to - from;
     const Vector along = way / length(way);
-    const Vector back = -std::min(mostHead, kHeadOfLeg * length(way)) * along;
+    const Vector back = -std::min(mostHead, kHeadOfArrow * length(way)) * along;
     const Vector aside = kHeadHalfWidth * Vector{-back.y, back.x};
     layer.strokes.push_back({polyline(Points{from, to}), Role::tangent});
     layer.strokes.push_back({polyline(Points{to + back + aside, to, to + back - aside}), Role::tangent});
@@ -82,10 +88,10 @@ Layer endTangentsLayer(std::span<const Point> polygon) {
         return layer;
     const auto secondLast =
         std::find_if(polygon.rbegin(), polygon.rend(), [&](Point p) { return p != polygon.back(); });
-    const double mostHead = kHeadOfPolygon * diagonal(boxOf(polygon));
-    addArrow(layer, polygon.front(), *second + kBeyond * (*second - polygon.front()), mostHead);
+    const double size = diagonal(boxOf(polygon));
+    addTangent(layer, polygon.front(), *second, size);
     if (secondLast != polygon.rend())
-        addArrow(layer, *secondLast, polygon.back() + kBeyond * (polygon.back() - *secondLast), mostHead);
+        addTangent(layer, *secondLast, polygon.back(), size);
     return layer;
 }
 

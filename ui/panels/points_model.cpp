@@ -5,7 +5,6 @@
 #include "ui/shell/language/number_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <utility>
@@ -15,12 +14,8 @@ namespace {
 
 constexpr int kOwnColumns = 2; // x and y
 
-/// As much as a narrow column shows; the editor and the tooltip give every digit.
-QString rounded(double number) {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(number, 'g', 6);
-}
+// As much as a narrow column shows; the editor and the tooltip give every digit.
+constexpr int kDigits = 6;
 
 std::size_t ownColumn(int column) {
     return static_cast<std::size_t>(column - kOwnColumns);
@@ -123,7 +118,7 @@ QVariant PointsModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
         return formatNumber(number);
     default:
-        return rounded(number);
+        return shownNumber(number, kDigits);
     }
 }
 

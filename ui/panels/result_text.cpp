@@ -1,8 +1,8 @@
 #include "ui/panels/result_text.h"
 
 #include "ui/figures/caption_text.h"
+#include "ui/shell/language/number_text.h"
 
-#include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
@@ -18,11 +18,7 @@ struct ValueText {
     int digits;
 
     [[nodiscard]] QString operator()(double number) const {
-        if (!std::isfinite(number))
-            return QStringLiteral("–");
-        QLocale locale;
-        locale.setNumberOptions(QLocale::OmitGroupSeparator);
-        return locale.toString(number, 'g', digits);
+        return std::isfinite(number) ? shownNumber(number, digits) : QStringLiteral("–");
     }
     [[nodiscard]] QString operator()(int number) const { return QString::number(number); }
     [[nodiscard]] QString operator()(const std::string& text) const { return QString::fromStdString(text); }

@@ -98,9 +98,11 @@ void ResultsPanel::copy() const {
     QModelIndexList rows = selectionModel()->selectedRows();
     std::sort(rows.begin(), rows.end());
     QStringList lines;
-    for (const QModelIndex& name : rows)
-        lines.append(name.data().toString() + QLatin1Char('\t') +
-                     name.siblingAtColumn(1).data(Qt::ToolTipRole).toString());
+    for (const QModelIndex& name : rows) {
+        QString value = name.siblingAtColumn(1).data(Qt::ToolTipRole).toString();
+        value.replace(u'\u2212', u'-'); // spreadsheets read no other minus
+        lines.append(name.data().toString() + QLatin1Char('\t') + value);
+    }
     QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
 }
 

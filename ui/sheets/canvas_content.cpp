@@ -45,7 +45,7 @@ CanvasCurve CanvasContent::curve(Serial serial) const {
         if (shown.isActive)
             context.stage = sheet_.layerStage();
         shown.figure = shownLayers(figureOf(curve, context), layersOf(sheet_.index()), context);
-        shown.grips = grips(curve);
+        shown.grips = drawnGrips(curve, context);
     }
     return shown;
 }

@@ -1,5 +1,7 @@
 #include "ui/shell/status_row.h"
 
+#include "ui/shell/language/number_text.h"
+
 #include <QEvent>
 #include <QLocale>
 
@@ -89,10 +91,8 @@ void StatusRow::showPointer(Point at) {
     if (at != at_)
         isTelling_ = false;
     at_ = at;
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    pointer_->setText(tr("x %1   y %2", "the pointer's coordinates")
-                          .arg(locale.toString(at.x, 'g', kDigits), locale.toString(at.y, 'g', kDigits)));
+    pointer_->setText(
+        tr("x %1   y %2", "the pointer's coordinates").arg(shownNumber(at.x, kDigits), shownNumber(at.y, kDigits)));
 }
 
 void StatusRow::showZoom(double percent) {

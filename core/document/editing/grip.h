@@ -2,6 +2,7 @@
 
 #include "core/geometry/point.h"
 
+#include <array>
 #include <compare>
 
 namespace kriva {
@@ -16,6 +17,10 @@ enum class GripKind {
     startDerivative, ///< tip of the arrow
     endDerivative,   ///< tip of the arrow
 };
+
+inline constexpr std::array kGripKinds{GripKind::point,        GripKind::inHandle, GripKind::outHandle,
+                                       GripKind::inner,        GripKind::middle,   GripKind::startDerivative,
+                                       GripKind::endDerivative};
 
 struct GripId {
     GripKind kind = GripKind::point;

@@ -162,6 +162,18 @@ TEST_F(HandleGesture, arrowsOfEndDerivativesStepKeepAndGiveWay) {
     EXPECT_EQ(steps().size(), 2);
 }
 
+TEST_F(HandleGesture, whatIsHiddenIsNotHit) {
+    document().setLayerShown(sheet, "handles", false);
+    drag(kOut, {4, 4});
+    EXPECT_EQ(curve(), before);
+    document().setLayerShown(sheet, "handles", true);
+    document().setLayerShown(sheet, "knots", false);
+    click({2, 4});
+    EXPECT_TRUE(tab.editor().selectedPoints().empty());
+    drag(kOut, {4, 4});
+    EXPECT_TRUE(isNear(*knot(1).out, {4, 4}));
+}
+
 TEST_F(HandleGesture, hintsFollowTheKeysHeld) {
     move(kOut);
     EXPECT_EQ(hint(), QStringLiteral("Drag: move the handle, Ctrl: in steps of 15°   Ctrl+click: retract it"));

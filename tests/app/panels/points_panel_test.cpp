@@ -112,7 +112,7 @@ TEST_F(PointsPanelTest, aPastedTableIsOneStep) {
     after.points.insert(after.points.end(), {{0.5, 1}, {2, -0.25}});
     for (const char* lines : {"0,5\t1\n2\t-0,25\n", "0.5; 1\n2; -0.25", "0.5,1\r\n2,-0.25\r\n"}) {
         paste(lines);
-        EXPECT_EQ(text(5, PointsModel::kY), QStringLiteral("-0.25"));
+        EXPECT_EQ(text(5, PointsModel::kY), QStringLiteral("−0.25"));
         expectOneStep("Paste points", before, after);
     }
 }

@@ -128,7 +128,7 @@ TEST_F(SplineResultsTest, aChosenCrossingIsPointedOutAndBroughtIntoSight) {
 
 TEST_F(SplineResultsTest, aCrossingNamesItsSegmentsAndParameters) {
     const PassedPlace place{{2.5, -1}, {{{}, 0, 0.25}, {{}, 12, 1.0 / 3}}};
-    EXPECT_EQ(valueText(place, 10), QStringLiteral("c₀(0.25) = c₁₂(0.3333) = (2.5; -1)"));
+    EXPECT_EQ(valueText(place, 10), QStringLiteral("c₀(0.25) = c₁₂(0.3333) = (2.5; −1)"));
     EXPECT_EQ(valueText(PassedPlace{{1, 1}, {{1, 0, 0.5}, {2, 3, 0}}}, 10),
               QStringLiteral("1: c₀(0.5) = 2: c₃(0) = (1; 1)"));
 }

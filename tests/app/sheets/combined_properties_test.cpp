@@ -157,6 +157,21 @@ TEST_F(CombinedPropertiesTest, theStageIsOnTheCanvasAndStaysWhileAPointIsPulled)
     EXPECT_EQ(canvas(), whole);
 }
 
+TEST_F(CombinedPropertiesTest, aMiddlePointThatTheStageHidesIsNeitherMarkedNorHit) {
+    open({corrected()});
+    const auto hit = [&] {
+        QApplication::processEvents();
+        const QPointF pixel = tab.canvas().mapping().toPixels({0.5, 1});
+        QTest::mouseClick(tab.canvas().viewport(), Qt::LeftButton, {}, pixel.toPoint());
+        return editor().selection() == Selection{{editor().activeSerial(), {GripKind::middle, 0}}};
+    };
+    EXPECT_TRUE(hit());
+    QTest::keyClick(&player, Qt::Key_Left);
+    EXPECT_TRUE(hit());
+    QTest::keyClick(&player, Qt::Key_Left);
+    EXPECT_FALSE(hit());
+}
+
 TEST_F(CombinedPropertiesTest, theStageEndsWithItsCurve) {
     player.tick(); // over and over: from the whole to the points
     EXPECT_EQ(player.stage(), 0);

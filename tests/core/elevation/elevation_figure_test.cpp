@@ -157,5 +157,13 @@ TEST(ElevationLayers, tangentsRunAlongTheFirstAndLastLegsAndBeyond) {
     EXPECT_THAT(endTangentsLayer(Points{{1, 1}, {1, 1}}).strokes, testing::IsEmpty());
 }
 
+TEST(ElevationLayers, tangentsAreSeenHoweverShortTheLegs) {
+    const Points raised = elevated(Points{{0, 0}, {1, 4}, {6, 5}, {8, 1}}, 97);
+    const Layer layer = endTangentsLayer(raised);
+    const Vector tangent = layer.strokes[0].path.points[1] - raised[0];
+    EXPECT_GT(length(tangent), 0.5); // the leg's length is 0.12
+    EXPECT_NEAR(cross(tangent, Vector{1, 4}), 0, 1e-12);
+}
+
 } // namespace
 } // namespace kriva

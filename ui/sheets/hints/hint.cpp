@@ -1,7 +1,8 @@
 #include "ui/sheets/hints/hint.h"
 
+#include "ui/shell/language/number_text.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 
 namespace kriva::ui {
 namespace {
@@ -12,7 +13,7 @@ constexpr int kDigits = 3; // of a measure that a person looks at once
 
 QString Hint::text() const {
     const QString text = QCoreApplication::translate("Hint", source);
-    return number ? text.arg(QLocale().toString(*number, 'g', kDigits)) : text;
+    return number ? text.arg(shownNumber(*number, kDigits)) : text;
 }
 
 } // namespace kriva::ui

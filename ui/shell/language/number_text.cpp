@@ -105,6 +105,12 @@ QString withMinus(QString number) {
     return number.replace(u'-', u'\u2212');
 }
 
+QString shownNumber(double value, int digits) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return withMinus(locale.toString(value, 'g', digits));
+}
+
 double stepped(double value, double step) {
     const double sum = value + step;
     const double larger = std::max(std::abs(value), std::abs(step));

@@ -22,6 +22,9 @@ namespace kriva::ui {
 /// The same number set in type: with U+2212, the minus of formulas, in every language.
 [[nodiscard]] QString withMinus(QString number);
 
+/// Rounded to `digits` significant digits and set in type, for a person to read: no group separators.
+[[nodiscard]] QString shownNumber(double value, int digits);
+
 /// value + step as a person adds them: 0.1 and 0.2 give 0.3. Rounded to 15 significant digits of the larger of the two.
 [[nodiscard]] double stepped(double value, double step);
 
