@@ -8,10 +8,32 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QPainter>
 #include <QSignalBlocker>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 namespace kriva::ui {
+namespace {
+
+/// Frames the colours of curves, so that the blue of a curve is seen on the blue of the selection.
+class CurveDelegate : public QStyledItemDelegate {
+  public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+  protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        QPixmap swatch(option->decorationSize);
+        swatch.fill(index.data(Qt::DecorationRole).value<QColor>());
+        QPainter painter(&swatch);
+        painter.setPen(option->palette.color(QPalette::Base));
+        painter.drawRect(swatch.rect().adjusted(0, 0, -1, -1));
+        option->icon = QIcon(swatch);
+    }
+};
+
+} // namespace
 
 CurvesPanel::CurvesPanel(SheetEditor& editor, QWidget* parent)
     : QWidget(parent)
@@ -28,6 +50,7 @@ CurvesPanel::CurvesPanel(SheetEditor& editor, QWidget* parent)
     , styleEditor_(new StyleEditor(editor, this)) {
     list_->setObjectName(QStringLiteral("curves"));
     list_->setModel(&model_);
+    list_->setItemDelegate(new CurveDelegate(list_));
     list_->setFrameShape(QFrame::NoFrame);
     list_->setUniformItemSizes(true);
     list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
