@@ -16,7 +16,8 @@
 namespace kriva::ui {
 namespace {
 
-/// Frames the colours of curves, so that the blue of a curve is seen on the blue of the selection.
+/// Frames the colours of curves, so that the blue of a curve is seen on the blue of the selection, and keeps a style
+/// from tinting them there.
 class CurveDelegate : public QStyledItemDelegate {
   public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -30,6 +31,7 @@ class CurveDelegate : public QStyledItemDelegate {
         painter.setPen(option->palette.color(QPalette::Base));
         painter.drawRect(swatch.rect().adjusted(0, 0, -1, -1));
         option->icon = QIcon(swatch);
+        option->icon.addPixmap(swatch, QIcon::Selected);
     }
 };
 
