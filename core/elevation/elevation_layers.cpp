@@ -27,12 +27,9 @@ constexpr double kHeadHalfWidth = 0.35; // by its length
 /// Along the leg and beyond it.
 void addTangent(Layer& layer, Point from, Point legEnd, double size) {
     const Vector leg = legEnd - from;
-    const double beyond = std::max(kBeyond, kBeyondOfPolygon * size / length(leg));
-    const Point to = legEnd + beyond * leg;
-    const double mostHead = kHeadOfPolygon * size;
-    const Vector way = to - from;
-    const Vector along = way / length(way);
-    const Vector back = -std::min(mostHead, kHeadOfArrow * length(way)) * along;
+    const Vector along = leg / length(leg);
+    const Point to = legEnd + std::max(kBeyond * length(leg), kBeyondOfPolygon * size) * along;
+    const Vector back = -std::min(kHeadOfPolygon * size, kHeadOfArrow * length(to - from)) * along;
     const Vector aside = kHeadHalfWidth * Vector{-back.y, back.x};
     layer.strokes.push_back({polyline(Points{from, to}), Role::tangent});
     layer.strokes.push_back({polyline(Points{to + back + aside, to, to + back - aside}), Role::tangent});

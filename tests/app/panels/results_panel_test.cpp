@@ -5,6 +5,8 @@
 #include "ui/panels/results_panel.h"
 #include "ui/shell/examples.h"
 
+#include <QClipboard>
+
 namespace kriva::ui {
 namespace {
 
@@ -77,6 +79,17 @@ TEST_F(ResultsPanelTest, followTheChoiceOfACurveAndOfALanguage) {
     QApplication::processEvents();
     EXPECT_NE(rows(), english);
     EXPECT_EQ(rows(), rowsOf(editor().sheet().curves[1]));
+}
+
+TEST_F(ResultsPanelTest, areShownWithAMinusAndCopiedWithOneThatSpreadsheetsRead) {
+    open({ElevationCurve{"", {{0, 0}, {-2, -1}}, 0, {}, {}}});
+    const Rows shown = rows();
+    const auto bounds = std::ranges::find(shown, captionText(Caption::bounds), &Rows::value_type::first);
+    ASSERT_NE(bounds, shown.end());
+    EXPECT_EQ(bounds->second, QStringLiteral("(−2; −1) – (0; 0)"));
+    table.setCurrentIndex(table.model()->index(static_cast<int>(bounds - shown.begin()), 0));
+    QTest::keySequence(&table, QKeySequence::Copy);
+    EXPECT_EQ(QGuiApplication::clipboard()->text(), bounds->first + QStringLiteral("\t(-2; -1) – (0; 0)"));
 }
 
 TEST_F(ResultsPanelTest, areEmptyWithoutACurveAndSayThatOneIsIncomplete) {

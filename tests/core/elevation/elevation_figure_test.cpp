@@ -165,5 +165,10 @@ TEST(ElevationLayers, tangentsAreSeenHoweverShortTheLegs) {
     EXPECT_NEAR(cross(tangent, Vector{1, 4}), 0, 1e-12);
 }
 
+TEST(ElevationLayers, tangentsAreFiniteWhereALegIsNearlyNothing) {
+    for (const Stroke& stroke : endTangentsLayer(Points{{0, 0}, {1e-320, 0}, {2, 1}, {3, 0}}).strokes)
+        EXPECT_TRUE(std::ranges::all_of(stroke.path.points, [](Point p) { return isFinite(p); }));
+}
+
 } // namespace
 } // namespace kriva

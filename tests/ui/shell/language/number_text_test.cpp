@@ -66,6 +66,12 @@ TEST(NumberText, whatRoundsToZeroHasNoMinus) {
     EXPECT_EQ(formatNumber(-0.4, 0, localeOf("en")), u"0");
 }
 
+TEST(NumberText, whatAPersonReadsIsRoundedAndHasTheMinusOfFormulas) {
+    EXPECT_EQ(shownNumber(-1234.5678, 6), withMinus(formatNumber(-1234.57)));
+    EXPECT_EQ(shownNumber(-1e-7, 6), u"\u22121e\u221207");
+    EXPECT_EQ(shownNumber(0.25, 6), formatNumber(0.25));
+}
+
 TEST(NumberText, theLargestNumberFitsWithAllDecimals) {
     const double largest = std::numeric_limits<double>::max();
     EXPECT_EQ(formatNumber(-largest, 17, localeOf("en")).size(), 1 + 309 + 1 + 17);
