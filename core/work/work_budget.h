@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stop_token>
+#include <utility>
+
+namespace kriva {
+
+/// Why long work ended before it was done.
+enum class WorkEnd {
+    stopped,     ///< somebody asked it to
+    beyondBudget ///< it would have taken more steps than it may
+};
+
+/// How much long work may do, and the sign by which another thread ends it.
+///
+/// Steps are counted and not timed, so that one input has one answer on every machine; one stands for about a
+/// microsecond. A loop spends before each round and returns where it may not go on.
+class WorkBudget {
+  public:
+    static constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
+
+    explicit WorkBudget(std::uint64_t steps = kUnlimited, std::stop_token stop = {})
+        : left_(steps)
+        , stop_(std::move(stop)) {}
+
+    /// Whether the work may go on by so many steps. Once it may not, it never may again.
+    [[nodiscard]] bool spend(std::uint64_t steps = 1) {
+        if (end_)
+            return false;
+        if (stop_.stop_requested())
+            end_ = WorkEnd::stopped;
+        else if (steps > left_)
+            end_ = WorkEnd::beyondBudget;
+        else
+            left_ -= steps;
+        return !end_;
+    }
+
+    /// Nothing as long as the work may go on.
+    [[nodiscard]] std::optional<WorkEnd> end() const { return end_; }
+
+  private:
+    std::uint64_t left_;
+    std::stop_token stop_;
+    std::optional<WorkEnd> end_;
+};
+
+} // namespace kriva
