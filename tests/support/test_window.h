@@ -12,7 +12,6 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QTest>
-#include <QThreadPool>
 
 namespace kriva::test {
 
@@ -20,7 +19,9 @@ namespace kriva::test {
 inline void settle() {
     for (int turn = 0; turn < 3; ++turn) {
         QApplication::processEvents();
-        QThreadPool::globalInstance()->waitForDone();
+        for (QWidget* widget : QApplication::topLevelWidgets())
+            if (auto* window = qobject_cast<ui::MainWindow*>(widget))
+                window->workers().waitForDone();
     }
     QApplication::processEvents();
 }

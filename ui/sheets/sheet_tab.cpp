@@ -7,9 +7,9 @@
 
 namespace kriva::ui {
 
-SheetTab::SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, QWidget* parent)
+SheetTab::SheetTab(OpenDocument& document, QThreadPool& workers, SheetIndex sheet, const SheetUi& ui, QWidget* parent)
     : QMainWindow(parent)
-    , editor_(document, sheet)
+    , editor_(document, workers, sheet)
     , canvas_(new CanvasView(*this, this))
     , content_(editor_, relations_, *canvas_)
     , ruled_(new RuledCanvas(canvas_, this))

@@ -15,8 +15,8 @@ namespace kriva::ui {
 class SheetTab : public QMainWindow, private CanvasClient {
     Q_OBJECT
   public:
-    /// `ui` outlives the tab.
-    SheetTab(OpenDocument& document, SheetIndex sheet, const SheetUi& ui, QWidget* parent = nullptr);
+    /// `ui` and the threads outlive the tab.
+    SheetTab(OpenDocument& document, QThreadPool& workers, SheetIndex sheet, const SheetUi& ui, QWidget* parent = nullptr);
 
     void setVisible(bool isVisible) override;
 

@@ -2,9 +2,10 @@
 
 namespace kriva::ui {
 
-ShownSheet::ShownSheet(OpenDocument& document, SheetIndex sheet, QObject* parent)
+ShownSheet::ShownSheet(OpenDocument& document, QThreadPool& workers, SheetIndex sheet, QObject* parent)
     : QObject(parent)
     , document_(document)
+    , workers_(workers)
     , index_(sheet) {
     connect(&document, &OpenDocument::curveChanged, this, [this](SheetIndex changed, Serial serial) {
         if (changed != index_)

@@ -3,6 +3,8 @@
 #include "ui/canvas/selection.h"
 #include "ui/document/open_document.h"
 
+class QThreadPool;
+
 namespace kriva::ui {
 
 /// One sheet of the open document as its tab shows it, with the view state that belongs to it and is neither saved nor
@@ -10,9 +12,11 @@ namespace kriva::ui {
 class ShownSheet : public QObject {
     Q_OBJECT
   public:
-    ShownSheet(OpenDocument& document, SheetIndex sheet, QObject* parent = nullptr);
+    /// What is worked out from the sheet comes from these threads; they outlive it.
+    ShownSheet(OpenDocument& document, QThreadPool& workers, SheetIndex sheet, QObject* parent = nullptr);
 
     [[nodiscard]] OpenDocument& document() const { return document_; }
+    [[nodiscard]] QThreadPool& workers() const { return workers_; }
     [[nodiscard]] const Sheet& sheet() const { return document_.sheet(index_); }
     [[nodiscard]] SheetIndex index() const { return index_; }
     [[nodiscard]] Serial activeSerial() const { return document_.activeCurve(index_); }
@@ -64,6 +68,7 @@ class ShownSheet : public QObject {
     void dropStages();
 
     OpenDocument& document_;
+    QThreadPool& workers_;
     SheetIndex index_;
     Selection selection_;
     Points pointedOut_;

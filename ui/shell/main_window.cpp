@@ -15,8 +15,20 @@
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QShortcut>
+#include <QThread>
+
+#include <algorithm>
 
 namespace kriva::ui {
+namespace {
+
+/// Two at least, so that quick results need not wait for slow ones; one core stays with the window where there are more.
+int workerCount() {
+    return std::max(2, QThread::idealThreadCount() - 1);
+}
+
+} // namespace
+
 MainWindow::MainWindow(const Surroundings& surroundings)
     : surroundings_(surroundings)
     , actions_(new Actions(this))
@@ -24,6 +36,7 @@ MainWindow::MainWindow(const Surroundings& surroundings)
     , menus_(new Menus(*menuBar(), *addToolBar(QString()), *actions_))
     , status_(new StatusRow(this))
     , tabWidget_(new QTabWidget(this)) {
+    workers_.setMaxThreadCount(workerCount());
     setObjectName(QStringLiteral("mainWindow"));
     if (!restoreGeometry(surroundings_.preferences.windowGeometry())) // the tabs share out what there is
         resize(1280, 800);
@@ -58,7 +71,7 @@ MainWindow::~MainWindow() {
 
 void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
-        auto* tab = new SheetTab(document_, sheet, sheets[sheet], this);
+        auto* tab = new SheetTab(document_, workers_, sheet, sheets[sheet], this);
         tab->panels().setLayout(surroundings_.preferences.panelLayout(QString::fromUtf8(sheetName(sheet))));
         tabs_.push_back(tab);
         tabWidget_->addTab(tab, QString());

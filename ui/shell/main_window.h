@@ -3,6 +3,7 @@
 #include "ui/sheets/sheet_tab.h"
 
 #include <QTabWidget>
+#include <QThreadPool>
 
 namespace kriva::ui {
 
@@ -28,6 +29,8 @@ class MainWindow : public QMainWindow {
     explicit MainWindow(const Surroundings& surroundings);
     ~MainWindow() override;
 
+    /// Where what takes long is worked out, beside the hand.
+    [[nodiscard]] QThreadPool& workers() { return workers_; }
     [[nodiscard]] OpenDocument& document() { return document_; }
     [[nodiscard]] DocumentSession& session() { return *session_; }
     [[nodiscard]] SheetTab& tab(SheetIndex sheet) { return *tabs_[sheet]; }
@@ -55,6 +58,7 @@ class MainWindow : public QMainWindow {
     void showTheme();
 
     Surroundings surroundings_;
+    QThreadPool workers_;
     OpenDocument document_;
     Actions* actions_;
     DocumentSession* session_;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 #include <QSignalSpy>
+#include <QThreadPool>
 
 #include <random>
 
@@ -169,7 +170,8 @@ TEST_F(OpenDocumentTest, whatIsBeyondALimitIsRefusedAndNothingChanges) {
 
 TEST_F(OpenDocumentTest, clearingTheCanvasIsOneStep) {
     document.add(kElevation, 1, arch(), {"New curve"});
-    SheetEditor editor(document, kElevation);
+    QThreadPool workers;
+    SheetEditor editor(document, workers, kElevation);
     const int before = steps();
     editor.clear();
     EXPECT_TRUE(document.sheet(kElevation).curves.empty());

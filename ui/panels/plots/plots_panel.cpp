@@ -49,7 +49,7 @@ PlotsPanel::PlotsPanel(ShownSheet& sheet, Plots plots, QWidget* parent)
     , choice_(new KeptChoice(this))
     , export_(new QToolButton(this))
     , layout_(new QVBoxLayout(this))
-    , work_(sheet, [this, plots = std::move(plots)](const std::optional<Curve>& curve) -> LatestWork::Take {
+    , work_(sheet, [this, plots = std::move(plots)](const std::optional<Curve>& curve, WorkBudget&) -> CoalescingWorker::Take {
         return [this, made = curve ? plots(*curve) : std::vector<PlotGroup>()] { take(made); };
     }) {
     work_.setWatched(false);

@@ -22,7 +22,7 @@ TablesPanel::TablesPanel(ShownSheet& sheet, Tables tables, QWidget* parent)
     , latex_(new QToolButton(this))
     , csv_(new QToolButton(this))
     , pointedOut_(sheet)
-    , work_(sheet, [this, tables = std::move(tables)](const std::optional<Curve>& curve) -> LatestWork::Take {
+    , work_(sheet, [this, tables = std::move(tables)](const std::optional<Curve>& curve, WorkBudget&) -> CoalescingWorker::Take {
         return [this, made = curve ? tables(*curve) : std::vector<Table>()] { take(made); };
     }) {
     work_.setWatched(false);

@@ -16,7 +16,7 @@ std::vector<Result> resultsOf(const std::optional<Curve>& curve) {
 
 CurveResults::CurveResults(ShownSheet& sheet, QObject* parent)
     : QObject(parent)
-    , work_(sheet, [this](const std::optional<Curve>& curve) -> LatestWork::Take {
+    , work_(sheet, [this](const std::optional<Curve>& curve, WorkBudget&) -> CoalescingWorker::Take {
         return [this, results = resultsOf(curve)] { take(results); };
     }) {}
 

@@ -14,8 +14,8 @@ std::optional<Curve> activeOnView(const ShownSheet& sheet) {
 
 CurveWork::CurveWork(ShownSheet& sheet, Work work, QObject* parent)
     : QObject(parent)
-    , work_([&sheet, work = std::move(work)]() -> LatestWork::Work {
-        return [work, curve = activeOnView(sheet)] { return work(curve); };
+    , work_(sheet.workers(), [&sheet, work = std::move(work)]() -> CoalescingWorker::Work {
+        return [work, curve = activeOnView(sheet)](WorkBudget& budget) { return work(curve, budget); };
     }) {
     const auto startOver = [this] {
         if (isWatched_)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "ui/sheets/results/latest_work.h"
+#include "ui/sheets/results/coalescing_worker.h"
 
 namespace kriva::ui {
 
@@ -13,7 +13,7 @@ class CurveWork : public QObject {
     Q_OBJECT
   public:
     /// Gives what takes the outcome, on the thread of the window; called on any thread. Nothing without a curve.
-    using Work = std::function<LatestWork::Take(const std::optional<Curve>&)>;
+    using Work = std::function<CoalescingWorker::Take(const std::optional<Curve>&, WorkBudget&)>;
 
     CurveWork(ShownSheet& sheet, Work work, QObject* parent = nullptr);
 
@@ -22,7 +22,7 @@ class CurveWork : public QObject {
 
   private:
     bool isWatched_ = true;
-    LatestWork work_;
+    CoalescingWorker work_;
 };
 
 } // namespace kriva::ui

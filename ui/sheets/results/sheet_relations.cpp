@@ -6,15 +6,15 @@ namespace kriva::ui {
 
 SheetRelations::SheetRelations(ShownSheet& sheet, QObject* parent)
     : QObject(parent)
-    , work_([this, &sheet]() -> LatestWork::Work {
-        return [this, onView = sheet.sheetOnView(), index = sheet.index()]() -> LatestWork::Take {
+    , work_(sheet.workers(), [this, &sheet]() -> CoalescingWorker::Work {
+        return [this, onView = sheet.sheetOnView(), index = sheet.index()](WorkBudget&) -> CoalescingWorker::Take {
             return [this, relations = relationsOf(onView, index)] { take(relations); };
         };
     }) {
-    connect(&sheet.document(), &OpenDocument::replaced, &work_, &LatestWork::startOver);
-    connect(&sheet.document(), &OpenDocument::curvesChanged, &work_, &LatestWork::doSoon);
-    connect(&sheet.document(), &OpenDocument::viewChanged, &work_, &LatestWork::doSoon);
-    connect(&sheet, &ShownSheet::shownCurveChanged, &work_, &LatestWork::doSoon);
+    connect(&sheet.document(), &OpenDocument::replaced, &work_, &CoalescingWorker::startOver);
+    connect(&sheet.document(), &OpenDocument::curvesChanged, &work_, &CoalescingWorker::doSoon);
+    connect(&sheet.document(), &OpenDocument::viewChanged, &work_, &CoalescingWorker::doSoon);
+    connect(&sheet, &ShownSheet::shownCurveChanged, &work_, &CoalescingWorker::doSoon);
 }
 
 void SheetRelations::take(Relations relations) {

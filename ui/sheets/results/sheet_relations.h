@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "ui/sheets/results/latest_work.h"
+#include "ui/sheets/results/coalescing_worker.h"
 
 namespace kriva::ui {
 
@@ -22,7 +22,7 @@ class SheetRelations : public QObject {
     void take(Relations relations);
 
     Relations relations_;
-    LatestWork work_;
+    CoalescingWorker work_;
 };
 
 } // namespace kriva::ui

@@ -89,10 +89,10 @@ void SplineProperties::addComparison() {
     deviation_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 }
 
-LatestWork::Work SplineProperties::comparison() {
+CoalescingWorker::Work SplineProperties::comparison() {
     const Curve* curve = editor().shown(editor().activeSerial());
     const int points = editor().sheet().view.polylinePoints;
-    return [this, points, value = curve ? std::get<SplineCurve>(*curve) : SplineCurve()]() -> LatestWork::Take {
+    return [this, points, value = curve ? std::get<SplineCurve>(*curve) : SplineCurve()](WorkBudget&) -> CoalescingWorker::Take {
         return [this, deviation = deviationFromBuiltIn(value, points)] {
             if (showsPolyline_->isChecked())
                 deviation_->setText(valueText(deviation, kDeviationDigits));

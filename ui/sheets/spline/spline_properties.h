@@ -38,7 +38,7 @@ class SplineProperties : public PropertiesPanel {
     void addComb();
     void addComparison();
     /// What is worked out of the curve as it is now.
-    [[nodiscard]] LatestWork::Work comparison();
+    [[nodiscard]] CoalescingWorker::Work comparison();
     void showComparison();
     void showDerivative(const DerivativeRow& row, End end);
     void setDerivative(End end, std::optional<Vector> derivative);
@@ -55,7 +55,7 @@ class SplineProperties : public PropertiesPanel {
     QCheckBox* showsPolyline_ = nullptr;
     SliderField* polylinePoints_ = nullptr;
     QLabel* deviation_ = nullptr;
-    LatestWork comparison_;
+    CoalescingWorker comparison_;
 };
 
 } // namespace kriva::ui
