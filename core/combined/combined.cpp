@@ -34,12 +34,14 @@ void addRun(const CombinedCurve& curve, const CombinedRun& run, int index, std::
 
 } // namespace
 
-Combined combine(const CombinedCurve& curve) {
+std::optional<Combined> combine(const CombinedCurve& curve, WorkBudget& budget) {
     assert(!isIncomplete(curve));
     constexpr double kMeeting = 1e-12; // of the diagonal: runs whose ends are no farther apart meet
     const double meeting = kMeeting * diagonal(boxOf(curve.points));
     Combined result;
     for (const MonotoneRun& points : monotoneRuns(curve.points)) {
+        if (!budget.spend())
+            return {};
         CombinedRun run = fitRun(curve, points);
         const int index = static_cast<int>(result.runs.size());
         if (index > 0) {
@@ -55,6 +57,10 @@ Combined combine(const CombinedCurve& curve) {
         result.runs.push_back(std::move(run));
     }
     return result;
+}
+
+Combined combine(const CombinedCurve& curve) {
+    return withoutLimit([&](WorkBudget& budget) { return combine(curve, budget); });
 }
 
 std::vector<PairMiddle> pairMiddles(const Combined& combined) {

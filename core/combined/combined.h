@@ -2,6 +2,7 @@
 
 #include "core/combined/combined_curve.h"
 #include "core/combined/combined_run.h"
+#include "core/work/work_budget.h"
 
 namespace kriva {
 
@@ -26,6 +27,7 @@ struct Combined {
 };
 
 /// The curve must be complete. Linear in the points, with 201 of them in one run under interpolation some 0.1 s.
+[[nodiscard]] std::optional<Combined> combine(const CombinedCurve& curve, WorkBudget& budget);
 [[nodiscard]] Combined combine(const CombinedCurve& curve);
 
 /// What a pair is bent by: the middle point of its quadratic, or the point where its two quadratics meet.

@@ -53,16 +53,19 @@ void reportCurve(JsonWriter& json, const CombinedCurve& curve) {
         .member("slopeVariation", measures.slopeVariation);
 }
 
-std::vector<Result> results(const CombinedCurve& curve) {
-    const Combined combined = combine(curve);
-    const PathMeasures measures = measure(combined, curve.points);
+std::optional<std::vector<Result>> results(const CombinedCurve& curve, WorkBudget& budget) {
+    const std::optional<Combined> combined = combine(curve, budget);
+    const std::optional<PathMeasures> found = combined ? measure(*combined, curve.points, budget) : std::nullopt;
+    if (!found)
+        return {};
+    const PathMeasures& measures = *found;
     std::vector<Result> rows{{Caption::length, "", measures.length},
                              {Caption::bounds, "", measures.bounds},
                              {Caption::largestKink, "", measures.largestKink},
                              {Caption::bendingEnergy, "", measures.bendingEnergy},
                              {Caption::slopeVariation, "", measures.slopeVariation}};
-    for (std::size_t i = 0; i < combined.runs.size(); ++i) {
-        const CombinedRun& run = combined.runs[i];
+    for (std::size_t i = 0; i < combined->runs.size(); ++i) {
+        const CombinedRun& run = combined->runs[i];
         const std::string index = decimal(static_cast<int>(i));
         rows.push_back({Caption::runPoints, index, decimal(run.points.first) + "–" + decimal(run.points.last)});
         rows.push_back({Caption::runDegree, index, run.degree});

@@ -3,6 +3,7 @@
 #include "core/combined/combined_curve.h"
 #include "core/document/json/json_writer.h"
 #include "core/document/results.h"
+#include "core/work/work_budget.h"
 
 namespace kriva {
 
@@ -13,6 +14,6 @@ namespace kriva {
 /// The members of a complete curve in the report, after its name.
 void reportCurve(JsonWriter& json, const CombinedCurve& curve);
 /// The same numbers as rows for people.
-[[nodiscard]] std::vector<Result> results(const CombinedCurve& curve);
+[[nodiscard]] std::optional<std::vector<Result>> results(const CombinedCurve& curve, WorkBudget& budget);
 
 } // namespace kriva

@@ -67,7 +67,7 @@ double largestKink(std::span<const PathPiece> path) {
 
 } // namespace
 
-PathMeasures measure(const Combined& combined, std::span<const Point> points) {
+std::optional<PathMeasures> measure(const Combined& combined, std::span<const Point> points, WorkBudget& budget) {
     PathMeasures measures;
     for (const CombinedRun& run : combined.runs)
         measures.slopeVariation += run.slopeVariation;
@@ -82,6 +82,8 @@ PathMeasures measure(const Combined& combined, std::span<const Point> points) {
     CompensatedSum bending;
     bool diverges = false;
     for (const PathPiece& piece : combined.path) {
+        if (!budget.spend())
+            return {};
         const std::span<const Points> shapes = measuredShapes(combined, piece);
         for (const Points& shape : shapes)
             length.add(arcLength(shape));
@@ -97,6 +99,10 @@ PathMeasures measure(const Combined& combined, std::span<const Point> points) {
     if (combined.path.empty())
         measures.bounds = boxOf(points);
     return measures;
+}
+
+PathMeasures measure(const Combined& combined, std::span<const Point> points) {
+    return withoutLimit([&](WorkBudget& budget) { return measure(combined, points, budget); });
 }
 
 } // namespace kriva

@@ -15,6 +15,8 @@ struct PathMeasures {
 };
 
 /// `points` are those of the curve that was combined.
+[[nodiscard]] std::optional<PathMeasures> measure(const Combined& combined, std::span<const Point> points,
+                                                  WorkBudget& budget);
 [[nodiscard]] PathMeasures measure(const Combined& combined, std::span<const Point> points);
 
 } // namespace kriva

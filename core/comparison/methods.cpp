@@ -35,39 +35,43 @@ bool isWithinLimits(const CombinedCurve& curve) {
                                [](const MonotoneRun& run) { return run.size() <= limits::kControlPoints; });
 }
 
-void addMethod(Table& table, Row names, const CombinedCurve& curve) {
+void addMethod(Table& table, Row names, const CombinedCurve& curve, WorkBudget& budget) {
     Row& row = table.rows.emplace_back(std::move(names));
     if (isWithinLimits(curve)) {
-        const Combined combined = combine(curve);
-        const PathMeasures measures = measure(combined, curve.points);
-        row.push_back({curve.method == Method::approximation ? residual(combined) : 0.0});
-        row.push_back({measures.largestKink});
-        row.push_back({measures.slopeVariation});
-        row.push_back(measures.bendingEnergy ? TableCell{*measures.bendingEnergy} : TableCell{});
-        row.push_back({measures.length});
+        const std::optional<Combined> combined = combine(curve, budget);
+        const std::optional<PathMeasures> measures = combined ? measure(*combined, curve.points, budget) : std::nullopt;
+        if (!measures)
+            return;
+        row.push_back({curve.method == Method::approximation ? residual(*combined) : 0.0});
+        row.push_back({measures->largestKink});
+        row.push_back({measures->slopeVariation});
+        row.push_back(measures->bendingEnergy ? TableCell{*measures->bendingEnergy} : TableCell{});
+        row.push_back({measures->length});
     }
     row.resize(table.columns.size());
 }
 
 /// It runs through all points without a kink, but over no x: its slopes have no variation.
-void addSpline(Table& table, const CombinedCurve& curve) {
+void addSpline(Table& table, const CombinedCurve& curve, WorkBudget& budget) {
     SplineCurve spline;
     spline.rule = SplineCurve::Rule::natural;
     for (const Point p : curve.points)
         spline.knots.push_back({p, SplineKnot::Join::automatic, {}, {}});
-    const SplineMeasures measures = measure(spline);
+    const std::optional<SplineMeasures> measures = measure(spline, budget);
+    if (!measures)
+        return;
     table.rows.push_back({{Caption::spline},
                           {3},
                           {0.0},
                           {0.0},
                           {},
-                          measures.bendingEnergy ? TableCell{*measures.bendingEnergy} : TableCell{},
-                          {measures.length}});
+                          measures->bendingEnergy ? TableCell{*measures->bendingEnergy} : TableCell{},
+                          {measures->length}});
 }
 
 } // namespace
 
-Table compareMethods(const CombinedCurve& curve) {
+std::optional<Table> compareMethods(const CombinedCurve& curve, WorkBudget& budget) {
     Table table{Caption::methods,
                 {{Caption::method},
                  {Caption::degree},
@@ -82,14 +86,16 @@ Table compareMethods(const CombinedCurve& curve) {
     CombinedCurve other = curve;
     other.corrections.clear();
     other.method = Method::interpolation;
-    addMethod(table, {{Caption::interpolation}, {}}, other);
+    addMethod(table, {{Caption::interpolation}, {}}, other, budget);
     other.method = Method::approximation;
     for (other.degree = kLowestDegree; other.degree <= kHighestDegree; ++other.degree)
-        addMethod(table, {{Caption::approximation}, {other.degree}}, other);
+        addMethod(table, {{Caption::approximation}, {other.degree}}, other, budget);
     other.method = Method::pairs;
     other.degree = curve.degree;
-    addMethod(table, {{Caption::pairs}, {curve.degree}}, other);
-    addSpline(table, curve);
+    addMethod(table, {{Caption::pairs}, {curve.degree}}, other, budget);
+    addSpline(table, curve, budget);
+    if (budget.end())
+        return {};
     constexpr std::size_t kFirstNumber = 2;
     for (std::size_t column = kFirstNumber; column < table.columns.size(); ++column)
         markLeast(table, column);

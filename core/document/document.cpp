@@ -1,5 +1,7 @@
 #include "core/document/document.h"
 
+#include "core/document/limits.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -208,19 +210,28 @@ std::vector<Grip> drawnGrips(const Curve& curve, const FigureContext& context) {
     return drawn;
 }
 
+std::optional<std::vector<Result>> results(const Curve& curve, WorkBudget& budget) {
+    return std::visit([&](const auto& c) { return results(c, budget); }, curve);
+}
+
 std::vector<Result> results(const Curve& curve) {
-    return std::visit([](const auto& c) { return results(c); }, curve);
+    return withoutLimit([&](WorkBudget& budget) { return results(curve, budget); });
+}
+
+std::optional<Relations> relationsOf(const Sheet& sheet, SheetIndex index, WorkBudget& budget) {
+    return std::visit(
+        [&]<class C>(const C&) -> std::optional<Relations> {
+            if constexpr (requires(std::span<const C* const> curves) { relationsOf(curves, budget); })
+                return relationsOf(std::span<const C* const>(curvesOf<C>(sheet)), budget);
+            else
+                return Relations();
+        },
+        kinds()[index]);
 }
 
 Relations relationsOf(const Sheet& sheet, SheetIndex index) {
-    return std::visit(
-        [&]<class C>(const C&) -> Relations {
-            if constexpr (requires(std::span<const C* const> curves) { relationsOf(curves); })
-                return relationsOf(std::span<const C* const>(curvesOf<C>(sheet)));
-            else
-                return {};
-        },
-        kinds()[index]);
+    WorkBudget budget(limits::kSteps);
+    return *relationsOf(sheet, index, budget); // nobody stops it
 }
 
 std::optional<Sheet> atFrame(Sheet sheet, const FramePlace& place) {

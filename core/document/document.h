@@ -87,12 +87,16 @@ template <class C>
 [[nodiscard]] Figure figureOf(const Curve& curve, const FigureContext& context);
 /// The grips whose layer is drawn: nobody takes hold of what is hidden.
 [[nodiscard]] std::vector<Grip> drawnGrips(const Curve& curve, const FigureContext& context);
+[[nodiscard]] std::optional<std::vector<Result>> results(const Curve& curve, WorkBudget& budget);
 [[nodiscard]] std::vector<Result> results(const Curve& curve);
 
 /// The sheet with its active curve at that place of its animation; nothing where it has no such place.
 [[nodiscard]] std::optional<Sheet> atFrame(Sheet sheet, const FramePlace& place);
 
-/// What the curves of a sheet have with each other; nothing in sheets where nobody asks. May take seconds.
+/// What the curves of a sheet have with each other; without rows in sheets where nobody asks. May take seconds, and
+/// gives nothing where it was stopped. What is beyond the budget is an answer too: Relations::refusal.
+[[nodiscard]] std::optional<Relations> relationsOf(const Sheet& sheet, SheetIndex index, WorkBudget& budget);
+/// The same within limits::kSteps.
 [[nodiscard]] Relations relationsOf(const Sheet& sheet, SheetIndex index);
 
 /// How a curve of the sheet, which outlives this, enters its figure.

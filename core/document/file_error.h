@@ -25,8 +25,10 @@ enum class FileProblem {
     expectedTwoNumbers,
     expectedOneOf, ///< words
     expectedColor,
-    wrongCount, ///< numbers[0] expected
-    tooMany,    ///< more than numbers[0]
+    wrongCount,           ///< numbers[0] expected
+    tooMany,              ///< more than numbers[0]
+    tooManyPasses,        ///< in the crossings and overlaps of curves, more than numbers[0]
+    tooManyIntersections, ///< of curves, to be found at all
     noSuchIndex,
     tooLarge,         ///< the file, more than numbers[0] bytes
     noDocumentInside, ///< an SVG without a document of Kriva

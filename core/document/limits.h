@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 /// The limits of the model, the same for files, the window and the command line.
 namespace kriva::limits {
@@ -20,6 +21,8 @@ inline constexpr int kSplineDegreeHigh = 5;
 inline constexpr int kFitDegreeLow = 1;
 inline constexpr int kFitDegreeHigh = 9;
 inline constexpr std::size_t kReportedSegments = 20'000;
+inline constexpr std::size_t kPasses = 1'000'000;  ///< in the crossings and overlaps of a sheet
+inline constexpr std::uint64_t kSteps = 2'000'000; ///< of the search for them
 inline constexpr int kXmlNesting = 256;
 inline constexpr int kXmlElements = 1'000'000;
 inline constexpr int kXmlAttributes = 1'000; ///< in one tag

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/document/file_error.h"
 #include "core/document/results.h"
 #include "core/figure/figure.h"
 
@@ -11,6 +12,7 @@ namespace kriva {
 struct Relations {
     std::vector<Result> results;
     Figure figure;
+    std::optional<FileError> refusal; ///< why there are no more: reports and figures of files are refused then
 };
 
 } // namespace kriva

@@ -19,13 +19,15 @@ void reportCurve(JsonWriter& json, const ElevationCurve& curve) {
         .endObject();
 }
 
-std::vector<Result> results(const ElevationCurve& curve) {
+std::optional<std::vector<Result>> results(const ElevationCurve& curve, WorkBudget& budget) {
     const Elevation elevation = elevate(curve);
-    return {{Caption::degree, "", static_cast<int>(curve.points.size()) - 1},
-            {Caption::length, "", arcLength(curve.points)},
-            {Caption::bounds, "", tightBounds(curve.points)},
-            {Caption::elevatedDegree, "", static_cast<int>(elevation.polygon.size()) - 1},
-            {Caption::gap, "", elevation.gap}};
+    if (!budget.spend())
+        return {};
+    return {{{Caption::degree, "", static_cast<int>(curve.points.size()) - 1},
+             {Caption::length, "", arcLength(curve.points)},
+             {Caption::bounds, "", tightBounds(curve.points)},
+             {Caption::elevatedDegree, "", static_cast<int>(elevation.polygon.size()) - 1},
+             {Caption::gap, "", elevation.gap}}};
 }
 
 } // namespace kriva

@@ -3,6 +3,7 @@
 #include "core/document/json/json_writer.h"
 #include "core/document/results.h"
 #include "core/elevation/elevation.h"
+#include "core/work/work_budget.h"
 
 namespace kriva {
 
@@ -13,6 +14,6 @@ namespace kriva {
 /// The members of a complete curve in the report, after its name.
 void reportCurve(JsonWriter& json, const ElevationCurve& curve);
 /// The same numbers as rows for people.
-[[nodiscard]] std::vector<Result> results(const ElevationCurve& curve);
+[[nodiscard]] std::optional<std::vector<Result>> results(const ElevationCurve& curve, WorkBudget& budget);
 
 } // namespace kriva

@@ -77,11 +77,13 @@ void reportTogether(JsonWriter& json, std::span<const SplineCurve* const> curves
     json.endList();
 }
 
-Relations relationsOf(std::span<const SplineCurve* const> curves) {
+std::optional<Relations> relationsOf(std::span<const SplineCurve* const> curves, WorkBudget& budget) {
     std::size_t segments = 0;
     for (const SplineCurve* curve : curves)
         segments += segmentCount(*curve);
     if (segments == 0 || segments > kMostSegments)
+        return Relations();
+    if (!budget.spend())
         return {};
     const Crossings crossings = crossingsOf(curves);
     Relations relations;

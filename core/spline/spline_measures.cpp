@@ -21,9 +21,9 @@ bool isExtremum(Continuity continuity, std::span<const Point> arriving, std::spa
     return (before < 0 && after > 0) || (before > 0 && after < 0);
 }
 
-int countExtrema(const std::vector<Points>& shapes, const std::vector<Continuity>& continuity) {
+int countExtrema(const std::vector<Points>& shapes, const std::vector<Continuity>& continuity, WorkBudget& budget) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
+    for (std::size_t i = 0; i < shapes.size() && budget.spend(); ++i) {
         count += curvatureExtrema(shapes[i]).size();
         const Points& arriving = shapes[(i + shapes.size() - 1) % shapes.size()];
         count += isExtremum(continuity[i], arriving, shapes[i]) ? 1 : 0;
@@ -31,9 +31,11 @@ int countExtrema(const std::vector<Points>& shapes, const std::vector<Continuity
     return static_cast<int>(count);
 }
 
-std::optional<double> addBendingEnergies(const std::vector<Points>& shapes) {
+std::optional<double> addBendingEnergies(const std::vector<Points>& shapes, WorkBudget& budget) {
     CompensatedSum sum;
     for (const Points& shape : shapes) {
+        if (!budget.spend())
+            return {};
         const std::optional<double> energy = bendingEnergy(shape);
         if (!energy)
             return {};
@@ -44,26 +46,39 @@ std::optional<double> addBendingEnergies(const std::vector<Points>& shapes) {
 
 } // namespace
 
-SplineMeasures measure(const SplineCurve& curve) {
+std::optional<SplineMeasures> measure(const SplineCurve& curve, WorkBudget& budget) {
     SplineMeasures measures;
     measures.chain = solveSpline(curve);
-    for (const Points& segment : measures.chain.segments)
+    for (const Points& segment : measures.chain.segments) {
+        if (!budget.spend())
+            return {};
         measures.bounds = united(measures.bounds, tightBounds(segment));
+    }
     const std::vector<Points> shapes = shapesOf(curve);
     CompensatedSum length;
     for (const Points& shape : shapes) {
+        if (!budget.spend())
+            return {};
         measures.lengths.push_back(arcLength(shape));
         length.add(measures.lengths.back());
     }
     measures.length = length.value();
-    measures.curvatureExtrema = countExtrema(shapes, measures.chain.continuity);
-    measures.bendingEnergy = addBendingEnergies(shapes);
+    measures.curvatureExtrema = countExtrema(shapes, measures.chain.continuity, budget);
+    measures.bendingEnergy = addBendingEnergies(shapes, budget);
+    if (budget.end())
+        return {};
     return measures;
 }
 
-std::optional<double> largestCurvature(const SplineCurve& curve) {
+SplineMeasures measure(const SplineCurve& curve) {
+    return withoutLimit([&](WorkBudget& budget) { return measure(curve, budget); });
+}
+
+std::optional<double> largestCurvature(const SplineCurve& curve, WorkBudget& budget) {
     double largest = 0;
     for (const Points& shape : shapesOf(curve)) {
+        if (!budget.spend())
+            return {};
         if (isStraight(shape))
             continue;
         std::vector<double> places = curvatureExtrema(shape);

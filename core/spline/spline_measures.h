@@ -2,6 +2,7 @@
 
 #include "core/geometry/box.h"
 #include "core/spline/spline.h"
+#include "core/work/work_budget.h"
 
 namespace kriva {
 
@@ -16,9 +17,11 @@ struct SplineMeasures {
 };
 
 /// The curve must be complete. Linear in the segments.
+[[nodiscard]] std::optional<SplineMeasures> measure(const SplineCurve& curve, WorkBudget& budget);
 [[nodiscard]] SplineMeasures measure(const SplineCurve& curve);
 
-/// The largest absolute curvature along the chain, in 1/unit; nothing where it has none, at a cusp. Linear likewise.
-[[nodiscard]] std::optional<double> largestCurvature(const SplineCurve& curve);
+/// The largest absolute curvature along the chain, in 1/unit; nothing where it has none, at a cusp, or where the budget
+/// has ended. Linear likewise.
+[[nodiscard]] std::optional<double> largestCurvature(const SplineCurve& curve, WorkBudget& budget);
 
 } // namespace kriva

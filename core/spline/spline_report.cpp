@@ -21,8 +21,11 @@ void reportCurve(JsonWriter& json, const SplineCurve& curve) {
         .member("bendingEnergy", measures.bendingEnergy);
 }
 
-std::vector<Result> results(const SplineCurve& curve) {
-    const SplineMeasures measures = measure(curve);
+std::optional<std::vector<Result>> results(const SplineCurve& curve, WorkBudget& budget) {
+    const std::optional<SplineMeasures> found = measure(curve, budget);
+    if (!found)
+        return {};
+    const SplineMeasures& measures = *found;
     std::vector<Result> rows{{Caption::degree, "", curve.degree},
                              {Caption::length, "", measures.length},
                              {Caption::bounds, "", measures.bounds},

@@ -3,6 +3,7 @@
 #include "core/document/json/json_writer.h"
 #include "core/document/results.h"
 #include "core/spline/spline.h"
+#include "core/work/work_budget.h"
 
 namespace kriva {
 
@@ -13,7 +14,7 @@ namespace kriva {
 /// The members of a complete curve in the report, after its name.
 void reportCurve(JsonWriter& json, const SplineCurve& curve);
 /// The same numbers as rows for people, and the coefficients of every segment.
-[[nodiscard]] std::vector<Result> results(const SplineCurve& curve);
+[[nodiscard]] std::optional<std::vector<Result>> results(const SplineCurve& curve, WorkBudget& budget);
 
 /// The coefficients B_0..B_n of a segment in the powers of its own t, 0 to 1: B_k = C(n, k) times the k-th forward
 /// difference of the control points.

@@ -31,8 +31,10 @@ void reportCurve(JsonWriter& json, const SubdivisionCurve& curve) {
         json.member("blossom", *subdivision.blossom);
 }
 
-std::vector<Result> results(const SubdivisionCurve& curve) {
+std::optional<std::vector<Result>> results(const SubdivisionCurve& curve, WorkBudget& budget) {
     const Subdivision subdivision = subdivide(curve);
+    if (!budget.spend())
+        return {};
     std::vector<Result> rows{{Caption::degree, "", degreeOf(subdivision)},
                              {Caption::length, "", arcLength(subdivision.polygon)},
                              {Caption::bounds, "", tightBounds(subdivision.polygon)},

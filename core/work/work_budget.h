@@ -10,14 +10,16 @@ namespace kriva {
 
 /// Why long work ended before it was done.
 enum class WorkEnd {
-    stopped,     ///< somebody asked it to
-    beyondBudget ///< it would have taken more steps than it may
+    stopped,      ///< somebody asked it to
+    beyondBudget, ///< it would have taken more steps than it may
+    tooMuchFound  ///< there is more to find than anyone asks for
 };
 
 /// How much long work may do, and the sign by which another thread ends it.
 ///
 /// Steps are counted and not timed, so that one input has one answer on every machine; one stands for about a
-/// microsecond. A loop spends before each round and returns where it may not go on.
+/// microsecond. A loop spends before each round and returns where it may not go on. What has ended gives nothing of
+/// use; functions that may end give nothing then, and `end()` says why.
 class WorkBudget {
   public:
     static constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
@@ -39,6 +41,12 @@ class WorkBudget {
         return !end_;
     }
 
+    /// Ends the work for a reason of its own.
+    void endFor(WorkEnd reason) {
+        if (!end_)
+            end_ = reason;
+    }
+
     /// Nothing as long as the work may go on.
     [[nodiscard]] std::optional<WorkEnd> end() const { return end_; }
 
@@ -47,5 +55,12 @@ class WorkBudget {
     std::stop_token stop_;
     std::optional<WorkEnd> end_;
 };
+
+/// What work gives that nobody ends: `work` takes a budget and gives an optional.
+template <class Work>
+[[nodiscard]] auto withoutLimit(const Work& work) {
+    WorkBudget budget;
+    return *work(budget);
+}
 
 } // namespace kriva

@@ -16,7 +16,8 @@ class SheetTab : public QMainWindow, private CanvasClient {
     Q_OBJECT
   public:
     /// `ui` and the threads outlive the tab.
-    SheetTab(OpenDocument& document, QThreadPool& workers, SheetIndex sheet, const SheetUi& ui, QWidget* parent = nullptr);
+    SheetTab(OpenDocument& document, QThreadPool& workers, SheetIndex sheet, const SheetUi& ui,
+             QWidget* parent = nullptr);
 
     void setVisible(bool isVisible) override;
 

@@ -22,7 +22,8 @@
 namespace kriva::ui {
 namespace {
 
-/// Two at least, so that quick results need not wait for slow ones; one core stays with the window where there are more.
+/// Two at least, so that quick results need not wait for slow ones; one core stays with the window where there are
+/// more.
 int workerCount() {
     return std::max(2, QThread::idealThreadCount() - 1);
 }

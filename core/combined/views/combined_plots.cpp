@@ -6,6 +6,7 @@
 #include "core/figure/labels.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace kriva {
 namespace {
@@ -60,26 +61,30 @@ void shareX(PlotGroup& group) {
 
 } // namespace
 
-std::vector<PlotGroup> plotsOf(const CombinedCurve& curve) {
+std::optional<std::vector<PlotGroup>> plotsOf(const CombinedCurve& curve, WorkBudget& budget) {
     if (isIncomplete(curve))
-        return {};
+        return std::vector<PlotGroup>();
     PlotGroup values{Caption::valuesOfRuns, {}};
     PlotGroup slopes{Caption::slopesOfRuns, {}};
     const auto add = [&](Method method, Caption caption) {
         CombinedCurve other = curve;
         other.method = method;
-        const Combined combined = combine(other);
-        Plot value = plotOf(caption, "y", combined, [](const Points& part) { return part; });
+        const std::optional<Combined> combined = combine(other, budget);
+        if (!combined)
+            return;
+        Plot value = plotOf(caption, "y", *combined, [](const Points& part) { return part; });
         value.given = curve.points;
         values.plots.push_back(withAxesFitted(std::move(value)));
-        slopes.plots.push_back(withAxesFitted(plotOf(caption, "y′", combined, slopeGraph)));
+        slopes.plots.push_back(withAxesFitted(plotOf(caption, "y′", *combined, slopeGraph)));
     };
     if (canInterpolate(curve))
         add(Method::interpolation, Caption::interpolation);
     add(Method::approximation, Caption::approximation);
+    if (budget.end())
+        return {};
     shareX(values);
     shareX(slopes);
-    return {values, slopes};
+    return {{std::move(values), std::move(slopes)}};
 }
 
 } // namespace kriva

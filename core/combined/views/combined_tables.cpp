@@ -56,13 +56,15 @@ Table joinsTable(const Combined& combined) {
 
 } // namespace
 
-std::vector<Table> tablesOf(const CombinedCurve& curve) {
+std::optional<std::vector<Table>> tablesOf(const CombinedCurve& curve, WorkBudget& budget) {
     if (isIncomplete(curve))
+        return std::vector<Table>();
+    const std::optional<Combined> combined = combine(curve, budget);
+    if (!combined)
         return {};
-    const Combined combined = combine(curve);
-    std::vector<Table> tables{runsTable(combined)};
-    if (!combined.joins.empty())
-        tables.push_back(joinsTable(combined));
+    std::vector<Table> tables{runsTable(*combined)};
+    if (!combined->joins.empty())
+        tables.push_back(joinsTable(*combined));
     return tables;
 }
 

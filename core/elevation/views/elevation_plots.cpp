@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kriva {
 namespace {
@@ -23,12 +24,14 @@ std::vector<int> plottedTimes(int degree, int most, int asked) {
     return plotted;
 }
 
-Plot gapPlot(const ElevationCurve& curve) {
+Plot gapPlot(const ElevationCurve& curve, WorkBudget& budget) {
     const int degree = static_cast<int>(curve.points.size()) - 1;
     Plot plot{Caption::gap, {.isLogarithmic = true, .variable = "N"}, {.isLogarithmic = true, .variable = "δ"}, {}};
     Points gaps;
     ElevationCurve raised = curve;
     for (const int times : plottedTimes(degree, std::max(kUsualElevations, curve.times), curve.times)) {
+        if (!budget.spend())
+            return plot;
         raised.times = times;
         // A straight curve with its points evenly spaced has no gap, and nothing has a logarithm of it.
         if (const double gap = elevate(raised).gap; gap > 0)
@@ -49,12 +52,15 @@ Plot gapPlot(const ElevationCurve& curve) {
 
 } // namespace
 
-std::vector<PlotGroup> plotsOf(const ElevationCurve& curve) {
+std::optional<std::vector<PlotGroup>> plotsOf(const ElevationCurve& curve, WorkBudget& budget) {
     if (isIncomplete(curve))
-        return {};
+        return std::vector<PlotGroup>();
     constexpr double kMiddle = 0.5; // the curve is about no t of its own
-    return {{Caption::bernsteinPolynomials, {bernsteinPlot(static_cast<int>(curve.points.size()) - 1, kMiddle)}},
-            {Caption::gap, {gapPlot(curve)}}};
+    Plot gap = gapPlot(curve, budget);
+    if (budget.end())
+        return {};
+    return {{{Caption::bernsteinPolynomials, {bernsteinPlot(static_cast<int>(curve.points.size()) - 1, kMiddle)}},
+             {Caption::gap, {std::move(gap)}}}};
 }
 
 } // namespace kriva

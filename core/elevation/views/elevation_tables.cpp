@@ -2,13 +2,17 @@
 
 #include "core/bezier/elevate.h"
 
+#include <utility>
+
 namespace kriva {
 
-std::vector<Table> tablesOf(const ElevationCurve& curve) {
+std::optional<std::vector<Table>> tablesOf(const ElevationCurve& curve, WorkBudget& budget) {
     if (isIncomplete(curve) || curve.times == 0)
-        return {};
+        return std::vector<Table>();
     const Points before = elevated(curve.points, curve.times - 1);
     const Points after = elevated(curve.points, curve.times);
+    if (!budget.spend())
+        return {};
     const double degree = static_cast<double>(after.size()) - 1;
     Table table{Caption::newPoints,
                 {{Caption::none, "i", ""},
@@ -28,7 +32,7 @@ std::vector<Table> tablesOf(const ElevationCurve& curve) {
                               i < before.size() ? TableCell{before[i]} : TableCell{},
                               {after[i]}});
     }
-    return {table};
+    return {{std::move(table)}};
 }
 
 } // namespace kriva

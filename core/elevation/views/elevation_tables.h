@@ -2,11 +2,12 @@
 
 #include "core/document/table.h"
 #include "core/elevation/elevation.h"
+#include "core/work/work_budget.h"
 
 namespace kriva {
 
 /// How the last elevation made each of its points: b_i' = i/N b_(i-1) + (1 - i/N) b_i with the actual numbers. Empty
 /// where the degree is not raised.
-[[nodiscard]] std::vector<Table> tablesOf(const ElevationCurve& curve);
+[[nodiscard]] std::optional<std::vector<Table>> tablesOf(const ElevationCurve& curve, WorkBudget& budget);
 
 } // namespace kriva

@@ -4,18 +4,20 @@
 
 namespace kriva {
 
-std::vector<PlotGroup> plotsOf(const SplineCurve& curve) {
+std::optional<std::vector<PlotGroup>> plotsOf(const SplineCurve& curve, WorkBudget& budget) {
     if (isIncomplete(curve))
-        return {};
+        return std::vector<PlotGroup>();
     Plot plot{Caption::hodograph, {.variable = "x′"}, {.variable = "y′"}, {}};
     plot.isToScale = true;
     for (const Points& segment : segmentsOf(curve)) {
+        if (!budget.spend())
+            return {};
         Points velocities;
         for (const Vector v : hodograph(segment))
             velocities.push_back(Point{} + v);
         plot.lines.push_back({singleCurve(velocities), Role::curve});
     }
-    return {{Caption::hodograph, {withAxesFitted(std::move(plot))}}};
+    return {{{Caption::hodograph, {withAxesFitted(std::move(plot))}}}};
 }
 
 } // namespace kriva

@@ -2,10 +2,11 @@
 
 #include "core/figure/plot/plot.h"
 #include "core/spline/spline.h"
+#include "core/work/work_budget.h"
 
 namespace kriva {
 
 /// The hodograph, the derivative by each segment's t as a curve in the plane of vectors. None for incomplete curves.
-[[nodiscard]] std::vector<PlotGroup> plotsOf(const SplineCurve& curve);
+[[nodiscard]] std::optional<std::vector<PlotGroup>> plotsOf(const SplineCurve& curve, WorkBudget& budget);
 
 } // namespace kriva

@@ -20,11 +20,13 @@ constexpr std::array<NamedRule, 4> kRules{{{Rule::mirror, Caption::mirror},
                                            {Rule::clamped, Caption::clamped},
                                            {Rule::catmullRom, Caption::catmullRom}}};
 
-Table coefficientsTable(const SplineCurve& curve) {
+Table coefficientsTable(const SplineCurve& curve, WorkBudget& budget) {
     Table table{Caption::coefficients, {{Caption::segment}}, {}};
     for (int k = 0; k <= curve.degree; ++k)
         table.columns.push_back({Caption::none, "B", decimal(k)});
     for (const Points& segment : segmentsOf(curve)) {
+        if (!budget.spend())
+            break;
         std::vector<TableCell>& row = table.rows.emplace_back();
         row.push_back({static_cast<int>(table.rows.size()) - 1});
         for (const Vector coefficient : powerCoefficients(segment))
@@ -38,7 +40,7 @@ TableCell cellOf(std::optional<double> value) {
 }
 
 /// All knots take their handles from the rule, or there would be nothing to compare.
-Table rulesTable(const SplineCurve& curve) {
+Table rulesTable(const SplineCurve& curve, WorkBudget& budget) {
     Table table{Caption::allRules,
                 {{Caption::rule}, {Caption::length}, {Caption::bendingEnergy}, {Caption::largestCurvature}},
                 {}};
@@ -48,9 +50,11 @@ Table rulesTable(const SplineCurve& curve) {
         knot = {knot.at, SplineKnot::Join::automatic, {}, {}};
     for (const auto& [rule, caption] : kRules) {
         other.rule = rule;
-        const SplineMeasures measures = measure(other);
+        const std::optional<SplineMeasures> measures = measure(other, budget);
+        if (!measures)
+            break;
         table.rows.push_back(
-            {{caption}, {measures.length}, cellOf(measures.bendingEnergy), cellOf(largestCurvature(other))});
+            {{caption}, {measures->length}, cellOf(measures->bendingEnergy), cellOf(largestCurvature(other, budget))});
     }
     for (std::size_t column = 1; column < table.columns.size(); ++column)
         markLeast(table, column);
@@ -59,12 +63,15 @@ Table rulesTable(const SplineCurve& curve) {
 
 } // namespace
 
-std::vector<Table> tablesOf(const SplineCurve& curve) {
+std::optional<std::vector<Table>> tablesOf(const SplineCurve& curve, WorkBudget& budget) {
     if (isIncomplete(curve))
+        return std::vector<Table>();
+    std::vector<Table> tables{coefficientsTable(curve, budget)};
+    if (curve.degree != 2) // of parabolas there is but one chain, whatever the rule
+        tables.push_back(rulesTable(curve, budget));
+    if (budget.end())
         return {};
-    if (curve.degree == 2) // there is but one parabola chain, whatever the rule
-        return {coefficientsTable(curve)};
-    return {coefficientsTable(curve), rulesTable(curve)};
+    return tables;
 }
 
 } // namespace kriva

@@ -4,10 +4,13 @@
 
 namespace kriva {
 
-std::vector<PlotGroup> plotsOf(const SubdivisionCurve& curve) {
+std::optional<std::vector<PlotGroup>> plotsOf(const SubdivisionCurve& curve, WorkBudget& budget) {
     if (isIncomplete(curve))
+        return std::vector<PlotGroup>();
+    if (!budget.spend())
         return {};
-    return {{Caption::bernsteinPolynomials, {bernsteinPlot(static_cast<int>(controlPointCount(curve)) - 1, curve.t)}}};
+    const int degree = static_cast<int>(controlPointCount(curve)) - 1;
+    return {{{Caption::bernsteinPolynomials, {bernsteinPlot(degree, curve.t)}}}};
 }
 
 } // namespace kriva

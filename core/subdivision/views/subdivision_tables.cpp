@@ -38,10 +38,12 @@ Table halvesTable(const Halves& halves) {
 
 } // namespace
 
-std::vector<Table> tablesOf(const SubdivisionCurve& curve) {
+std::optional<std::vector<Table>> tablesOf(const SubdivisionCurve& curve, WorkBudget& budget) {
     if (isIncomplete(curve))
-        return {};
+        return std::vector<Table>();
     const Subdivision subdivision = subdivide(curve);
+    if (!budget.spend())
+        return {};
     std::vector<Table> tables{schemeTable(Caption::construction, subdivision.triangle),
                               weightsTable(subdivision.polygon, curve.t), halvesTable(subdivision.halves)};
     if (curve.blossom)

@@ -2,11 +2,12 @@
 
 #include "core/document/table.h"
 #include "core/subdivision/subdivision.h"
+#include "core/work/work_budget.h"
 
 namespace kriva {
 
 /// De Casteljau's scheme at t, a column for each level; the weights of the control points at t; the two polygons that
 /// the cut leaves; and, where the curve asks for it, the scheme of the blossom. None for incomplete curves.
-[[nodiscard]] std::vector<Table> tablesOf(const SubdivisionCurve& curve);
+[[nodiscard]] std::optional<std::vector<Table>> tablesOf(const SubdivisionCurve& curve, WorkBudget& budget);
 
 } // namespace kriva

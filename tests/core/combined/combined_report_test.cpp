@@ -1,4 +1,5 @@
 #include "core/combined/combined_report.h"
+#include "core/document/document.h"
 
 #include <gtest/gtest.h>
 

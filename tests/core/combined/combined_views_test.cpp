@@ -3,6 +3,7 @@
 #include "core/combined/views/combined_tables.h"
 #include "core/comparison/methods.h"
 #include "core/spline/spline_measures.h"
+#include "tests/support/unlimited.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,10 @@
 
 namespace kriva {
 namespace {
+
+using test::compareMethods;
+using test::plotsOf;
+using test::tablesOf;
 
 CombinedCurve arch() {
     CombinedCurve curve;

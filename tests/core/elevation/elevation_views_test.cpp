@@ -1,10 +1,14 @@
 #include "core/elevation/views/elevation_plots.h"
 #include "core/elevation/views/elevation_tables.h"
+#include "tests/support/unlimited.h"
 
 #include <gtest/gtest.h>
 
 namespace kriva {
 namespace {
+
+using test::plotsOf;
+using test::tablesOf;
 
 ElevationCurve cubic(int times) {
     ElevationCurve curve;

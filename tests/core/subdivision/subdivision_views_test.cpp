@@ -1,11 +1,15 @@
 #include "core/bezier/evaluate.h"
 #include "core/subdivision/views/subdivision_plots.h"
 #include "core/subdivision/views/subdivision_tables.h"
+#include "tests/support/unlimited.h"
 
 #include <gtest/gtest.h>
 
 namespace kriva {
 namespace {
+
+using test::plotsOf;
+using test::tablesOf;
 
 SubdivisionCurve curveOf(const Points& points, double t) {
     SubdivisionCurve curve;

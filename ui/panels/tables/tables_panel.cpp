@@ -22,9 +22,13 @@ TablesPanel::TablesPanel(ShownSheet& sheet, Tables tables, QWidget* parent)
     , latex_(new QToolButton(this))
     , csv_(new QToolButton(this))
     , pointedOut_(sheet)
-    , work_(sheet, [this, tables = std::move(tables)](const std::optional<Curve>& curve, WorkBudget&) -> CoalescingWorker::Take {
-        return [this, made = curve ? tables(*curve) : std::vector<Table>()] { take(made); };
-    }) {
+    , work_(sheet,
+            [this, tables = std::move(tables)](const std::optional<Curve>& curve,
+                                               WorkBudget& budget) -> CoalescingWorker::Take {
+                return [this, made = curve ? tables(*curve, budget) : std::nullopt] {
+                    take(made.value_or(std::vector<Table>()));
+                };
+            }) {
     work_.setWatched(false);
     view_->setModel(&model_);
     view_->setFrameShape(QFrame::NoFrame);

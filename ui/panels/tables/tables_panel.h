@@ -17,8 +17,8 @@ namespace kriva::ui {
 class TablesPanel : public QWidget, public WatchedPanel {
     Q_OBJECT
   public:
-    /// What a sheet has to tell of a curve in tables; called on any thread.
-    using Tables = std::function<std::vector<Table>(const Curve&)>;
+    /// What a sheet has to tell of a curve in tables; called on any thread. Nothing where the budget has ended.
+    using Tables = std::function<std::optional<std::vector<Table>>(const Curve&, WorkBudget&)>;
 
     TablesPanel(ShownSheet& sheet, Tables tables, QWidget* parent = nullptr);
     void setWatched(bool isWatched) override;

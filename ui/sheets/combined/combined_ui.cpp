@@ -27,11 +27,15 @@ SheetNumber degreeNumber() {
             }};
 }
 
-std::vector<Table> tablesOfCombined(const Curve& curve) {
+std::optional<std::vector<Table>> tablesOfCombined(const Curve& curve, WorkBudget& budget) {
     const CombinedCurve& value = std::get<CombinedCurve>(curve);
-    std::vector<Table> tables = tablesOf(value);
-    if (value.points.size() > 1)
-        tables.push_back(compareMethods(value));
+    std::optional<std::vector<Table>> tables = tablesOf(value, budget);
+    if (!tables || value.points.size() < 2)
+        return tables;
+    std::optional<Table> methods = compareMethods(value, budget);
+    if (!methods)
+        return {};
+    tables->push_back(*std::move(methods));
     return tables;
 }
 
@@ -43,7 +47,7 @@ SheetUi combinedUi() {
             {},
             degreeNumber(),
             {},
-            [](const Curve& curve) { return plotsOf(std::get<CombinedCurve>(curve)); },
+            [](const Curve& curve, WorkBudget& budget) { return plotsOf(std::get<CombinedCurve>(curve), budget); },
             tablesOfCombined};
 }
 

@@ -34,8 +34,8 @@ SheetUi elevationUi() {
             {},
             timesNumber(),
             elevationActions(),
-            [](const Curve& curve) { return plotsOf(std::get<ElevationCurve>(curve)); },
-            [](const Curve& curve) { return tablesOf(std::get<ElevationCurve>(curve)); },
+            [](const Curve& curve, WorkBudget& budget) { return plotsOf(std::get<ElevationCurve>(curve), budget); },
+            [](const Curve& curve, WorkBudget& budget) { return tablesOf(std::get<ElevationCurve>(curve), budget); },
             {Role::derivedPolygon}};
 }
 

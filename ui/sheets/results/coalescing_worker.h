@@ -18,12 +18,12 @@ class CoalescingWorker : public QObject {
   public:
     /// Takes what was worked out, on the thread of the window.
     using Take = std::function<void()>;
-    /// The work itself, on any thread: it holds copies of all that it looks at, and spends its budget in every loop that
-    /// may be long.
+    /// The work itself, on any thread: it holds copies of all that it looks at, and spends its budget in every loop
+    /// that may be long.
     using Work = std::function<Take(WorkBudget&)>;
 
-    /// `next` gathers what is to be worked out at the moment, in so many steps; what comes of it after them is taken all
-    /// the same. The pool outlives this; never Qt's global one, for whose threads the raster engine waits while it
+    /// `next` gathers what is to be worked out at the moment, in so many steps; what comes of it after them is taken
+    /// all the same. The pool outlives this; never Qt's global one, for whose threads the raster engine waits while it
     /// paints. No take is called after the end of this object.
     CoalescingWorker(QThreadPool& pool, std::function<Work()> next, std::uint64_t steps = WorkBudget::kUnlimited);
     ~CoalescingWorker() override;

@@ -4,20 +4,20 @@ namespace kriva::ui {
 namespace {
 
 /// None without a curve; that it is incomplete is one as well.
-std::vector<Result> resultsOf(const std::optional<Curve>& curve) {
+std::optional<std::vector<Result>> resultsOf(const std::optional<Curve>& curve, WorkBudget& budget) {
     if (!curve)
-        return {};
+        return std::vector<Result>();
     if (isIncomplete(*curve))
-        return {{Caption::incomplete, {}, std::string()}};
-    return results(*curve);
+        return std::vector<Result>{{Caption::incomplete, {}, std::string()}};
+    return results(*curve, budget);
 }
 
 } // namespace
 
 CurveResults::CurveResults(ShownSheet& sheet, QObject* parent)
     : QObject(parent)
-    , work_(sheet, [this](const std::optional<Curve>& curve, WorkBudget&) -> CoalescingWorker::Take {
-        return [this, results = resultsOf(curve)] { take(results); };
+    , work_(sheet, [this](const std::optional<Curve>& curve, WorkBudget& budget) -> CoalescingWorker::Take {
+        return [this, results = resultsOf(curve, budget)] { take(results.value_or(std::vector<Result>())); };
     }) {}
 
 void CurveResults::take(std::vector<Result> results) {

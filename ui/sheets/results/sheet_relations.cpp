@@ -1,16 +1,21 @@
 #include "ui/sheets/results/sheet_relations.h"
 
+#include "core/document/limits.h"
 #include "ui/sheets/shown_sheet.h"
 
 namespace kriva::ui {
 
 SheetRelations::SheetRelations(ShownSheet& sheet, QObject* parent)
     : QObject(parent)
-    , work_(sheet.workers(), [this, &sheet]() -> CoalescingWorker::Work {
-        return [this, onView = sheet.sheetOnView(), index = sheet.index()](WorkBudget&) -> CoalescingWorker::Take {
-            return [this, relations = relationsOf(onView, index)] { take(relations); };
-        };
-    }) {
+    , work_(
+          sheet.workers(),
+          [this, &sheet]() -> CoalescingWorker::Work {
+              return [this, onView = sheet.sheetOnView(),
+                      index = sheet.index()](WorkBudget& budget) -> CoalescingWorker::Take {
+                  return [this, found = relationsOf(onView, index, budget)] { take(found.value_or(Relations())); };
+              };
+          },
+          limits::kSteps) {
     connect(&sheet.document(), &OpenDocument::replaced, &work_, &CoalescingWorker::startOver);
     connect(&sheet.document(), &OpenDocument::curvesChanged, &work_, &CoalescingWorker::doSoon);
     connect(&sheet.document(), &OpenDocument::viewChanged, &work_, &CoalescingWorker::doSoon);

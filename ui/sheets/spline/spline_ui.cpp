@@ -54,8 +54,8 @@ SheetUi splineUi() {
             {joinColumn()},
             degreeNumber(),
             splineActions(),
-            [](const Curve& curve) { return plotsOf(std::get<SplineCurve>(curve)); },
-            [](const Curve& curve) { return tablesOf(std::get<SplineCurve>(curve)); }};
+            [](const Curve& curve, WorkBudget& budget) { return plotsOf(std::get<SplineCurve>(curve), budget); },
+            [](const Curve& curve, WorkBudget& budget) { return tablesOf(std::get<SplineCurve>(curve), budget); }};
 }
 
 } // namespace kriva::ui

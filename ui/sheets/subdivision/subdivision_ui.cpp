@@ -50,8 +50,8 @@ SheetUi subdivisionUi() {
             {multiplicityColumn()},
             levelsNumber(),
             subdivisionActions(),
-            [](const Curve& curve) { return plotsOf(std::get<SubdivisionCurve>(curve)); },
-            [](const Curve& curve) { return tablesOf(std::get<SubdivisionCurve>(curve)); },
+            [](const Curve& curve, WorkBudget& budget) { return plotsOf(std::get<SubdivisionCurve>(curve), budget); },
+            [](const Curve& curve, WorkBudget& budget) { return tablesOf(std::get<SubdivisionCurve>(curve), budget); },
             {Role::construction, Role::left, Role::right, Role::curvePoint}};
 }
 

@@ -21,7 +21,8 @@ class CoalescingWorkerTest : public testing::Test {
     }
 
     CoalescingWorker::Work next() {
-        return [this, wanted = wanted, steps = steps, isEndless = isEndless](WorkBudget& budget) -> CoalescingWorker::Take {
+        return [this, wanted = wanted, steps = steps,
+                isEndless = isEndless](WorkBudget& budget) -> CoalescingWorker::Take {
             ++started;
             if (isLong)
                 mayEnd.acquire();
