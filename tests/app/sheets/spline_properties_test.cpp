@@ -8,6 +8,10 @@
 namespace kriva::ui {
 namespace {
 
+double deviationOf(const SplineCurve& curve, int points) {
+    return withoutLimit([&](WorkBudget& budget) { return deviationFromBuiltIn(curve, points, budget); });
+}
+
 using test::click;
 using test::dragHandle;
 using test::named;
@@ -161,16 +165,16 @@ TEST_F(SplinePropertiesTest, theBuiltInDrawingIsComparedWithAPolyline) {
     EXPECT_FALSE(perSegment.isEnabled());
     click(test::saying<QCheckBox>(properties, "Show the polyline"));
     test::settle();
-    EXPECT_EQ(deviation.text(), valueText(deviationFromBuiltIn(before, 8), 4));
+    EXPECT_EQ(deviation.text(), valueText(deviationOf(before, 8), 4));
     type(named<NumberField>(properties, "Points per segment"), "3");
     test::settle();
     EXPECT_EQ(editor().sheet().view.polylinePoints, 3);
-    EXPECT_EQ(deviation.text(), valueText(deviationFromBuiltIn(before, 3), 4));
+    EXPECT_EQ(deviation.text(), valueText(deviationOf(before, 3), 4));
     const QPoint knot = test::pixelOf(tab, 2);
     QTest::mousePress(tab.canvas().viewport(), Qt::LeftButton, {}, knot);
     QTest::mouseMove(tab.canvas().viewport(), knot + QPoint(20, 60));
     test::settle();
-    EXPECT_EQ(deviation.text(), valueText(deviationFromBuiltIn(value<SplineCurve>(), 3), 4));
+    EXPECT_EQ(deviation.text(), valueText(deviationOf(value<SplineCurve>(), 3), 4));
     QTest::keyClick(tab.canvas().viewport(), Qt::Key_Escape);
     expectNoStep(before);
 }

@@ -17,6 +17,9 @@ namespace {
 constexpr double kPixels = 1000;        // the longer side of the chain as it is drawn
 constexpr double kCubicTolerance = 0.1; // pixels: far below what the flattening leaves
 
+/// Of a segment of the usual number of points.
+constexpr std::uint64_t kStepsOfSegment = 20;
+
 [[nodiscard]] QPainterPath pathOf(const Points& segment, double pixelsPerUnit) {
     QPainterPath path(toQt(segment.front()));
     if (segment.size() == 3) {
@@ -58,19 +61,21 @@ constexpr double kCubicTolerance = 0.1; // pixels: far below what the flattening
 
 } // namespace
 
-double deviationFromBuiltIn(const SplineCurve& curve, int points) {
+std::optional<double> deviationFromBuiltIn(const SplineCurve& curve, int points, WorkBudget& budget) {
     if (isIncomplete(curve))
-        return 0;
+        return 0.0;
     const std::vector<Points> segments = segmentsOf(curve);
     Box box;
     for (const Points& segment : segments)
         box = united(box, tightBounds(segment));
     const double extent = std::max(box.width(), box.height());
     if (extent == 0)
-        return 0;
+        return 0.0;
     const double pixelsPerUnit = kPixels / extent;
     double deviation = 0;
     for (const Points& segment : segments) {
+        if (!budget.spend(kStepsOfSegment))
+            return {};
         const Points drawn = drawnCorners(pathOf(segment, pixelsPerUnit), pixelsPerUnit);
         const Points polyline = deCasteljauPolyline(std::span(&segment, 1), points);
         deviation = std::max({deviation, farthest(drawn, polyline), farthest(polyline, drawn)});

@@ -92,11 +92,11 @@ void SplineProperties::addComparison() {
 CoalescingWorker::Work SplineProperties::comparison() {
     const Curve* curve = editor().shown(editor().activeSerial());
     const int points = editor().sheet().view.polylinePoints;
-    return [this, points,
-            value = curve ? std::get<SplineCurve>(*curve) : SplineCurve()](WorkBudget&) -> CoalescingWorker::Take {
-        return [this, deviation = deviationFromBuiltIn(value, points)] {
-            if (showsPolyline_->isChecked())
-                deviation_->setText(valueText(deviation, kDeviationDigits));
+    return [this, points, value = curve ? std::get<SplineCurve>(*curve) : SplineCurve()](
+               WorkBudget& budget) -> CoalescingWorker::Take {
+        return [this, deviation = deviationFromBuiltIn(value, points, budget)] {
+            if (showsPolyline_->isChecked() && deviation)
+                deviation_->setText(valueText(*deviation, kDeviationDigits));
         };
     };
 }
