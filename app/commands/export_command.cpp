@@ -93,8 +93,9 @@ ExitCode exportOne(const QString& file, const ExportRequest& request) {
                                                  ? ui::frameFiles(*document, *sheet, request.options)
                                                  : std::vector{ui::figureFile(*document, *sheet, request.options)};
     for (std::size_t i = 0; i < made.size(); ++i) {
-        if (const ui::FigureFault* fault = std::get_if<ui::FigureFault>(&made[i]))
-            return refused(QStringLiteral("%1: %2").arg(file, faultText(*fault)), ExitCode::failure);
+        if (!std::holds_alternative<QByteArray>(made[i]))
+            return refused(QStringLiteral("%1: %2").arg(file, faultText(made[i])),
+                           std::holds_alternative<FileError>(made[i]) ? ExitCode::refused : ExitCode::failure);
         const ExitCode code = writeOutput(numbered(output, i), std::get<QByteArray>(made[i]));
         if (code != ExitCode::done)
             return code;

@@ -36,7 +36,10 @@ QString table(const std::vector<Result>& results) {
     return text;
 }
 
-QString sheetTable(const Sheet& sheet, SheetIndex index) {
+std::variant<QString, FileError> sheetTable(const Sheet& sheet, SheetIndex index) {
+    const Relations relations = relationsOf(sheet, index);
+    if (relations.refusal)
+        return *relations.refusal;
     QString text = ui::captionText(captionOf(index)) + QLatin1Char('\n');
     for (std::size_t i = 0; i < sheet.curves.size(); ++i) {
         const Curve& curve = sheet.curves[i];
@@ -44,18 +47,23 @@ QString sheetTable(const Sheet& sheet, SheetIndex index) {
         text += isIncomplete(curve) ? QStringLiteral("    %1\n").arg(ui::captionText(Caption::incomplete))
                                     : table(results(curve));
     }
-    return text + table(relationsOf(sheet, index).results);
+    return text + table(relations.results);
 }
 
 } // namespace
 
-QString reportTable(const Document& document, std::optional<SheetIndex> only) {
+std::variant<QString, FileError> reportTable(const Document& document, std::optional<SheetIndex> only) {
     QStringList parts;
     if (!document.title.empty())
         parts += printable(QString::fromStdString(document.title)) + QLatin1Char('\n');
-    for (SheetIndex index = 0; index < kSheetCount; ++index)
-        if (only.value_or(index) == index && !document.sheets[index].curves.empty())
-            parts += sheetTable(document.sheets[index], index);
+    for (SheetIndex index = 0; index < kSheetCount; ++index) {
+        if (only.value_or(index) != index || document.sheets[index].curves.empty())
+            continue;
+        const auto part = sheetTable(document.sheets[index], index);
+        if (const FileError* error = std::get_if<FileError>(&part))
+            return *error;
+        parts += std::get<QString>(part);
+    }
     return parts.join(QLatin1Char('\n'));
 }
 
@@ -63,14 +71,21 @@ ExitCode report(const ReportRequest& request) {
     const std::optional<Document> document = openDocument(request.file);
     if (!document)
         return ExitCode::refused;
-    if (const std::optional<FileError> error = reportLimitError(*document, request.sheet)) {
-        printError(errorText(ui::OpenError(*error), request.file));
+    const auto refuse = [&](const FileError& error) {
+        printError(errorText(ui::OpenError(error), request.file));
         return ExitCode::refused;
+    };
+    if (const std::optional<FileError> error = reportLimitError(*document, request.sheet))
+        return refuse(*error);
+    if (!request.isJson) {
+        const auto text = reportTable(*document, request.sheet);
+        const FileError* error = std::get_if<FileError>(&text);
+        return error ? refuse(*error) : printOut(std::get<QString>(text).toUtf8());
     }
-    if (!request.isJson)
-        return printOut(reportTable(*document, request.sheet).toUtf8());
     const std::string name = QFileInfo(request.file).fileName().toStdString();
     const auto json = reportJson(*document, name, request.sheet);
+    if (const FileError* error = std::get_if<FileError>(&json))
+        return refuse(*error);
     return printOut(QByteArray::fromStdString(std::get<std::string>(json)));
 }
 

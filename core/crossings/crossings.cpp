@@ -6,7 +6,7 @@
 #include "core/crossings/chain_links.h"
 #include "core/crossings/loops/double_points.h"
 #include "core/crossings/places.h"
-#include "core/geometry/sweep.h"
+#include "core/crossings/sweep.h"
 #include "core/polynomial/sign_changes.h"
 
 #include <algorithm>
@@ -20,6 +20,9 @@ namespace {
 /// Of the diagonal: format.md.
 constexpr double kTouching = 1e-12;
 constexpr double kPlace = 1e-9;
+
+/// A segment put into the frame, its bounds and its cusps.
+constexpr std::uint64_t kStepsOfSegment = 20;
 
 /// A straight segment turns back if the way it goes back is longer than this part of its polygon's length.
 constexpr double kTurningBack = 1e-9;
@@ -53,12 +56,15 @@ struct Member {
 
 class Search {
   public:
-    explicit Search(std::span<const SegmentChain> chains)
-        : chains_(chains) {
+    Search(std::span<const SegmentChain> chains, WorkBudget& budget, std::size_t mostPasses)
+        : chains_(chains)
+        , budget_(budget)
+        , mostPasses_(mostPasses) {
         Box bounds;
         for (const SegmentChain& chain : chains)
             for (const Points& segment : chain.segments)
-                bounds = united(bounds, tightBounds(segment));
+                if (budget.spend(kStepsOfSegment))
+                    bounds = united(bounds, tightBounds(segment));
         diagonal_ = diagonal(bounds);
         if (!(diagonal_ > 0))
             return;
@@ -80,12 +86,18 @@ class Search {
             addDoublePoints(member);
             boxes.push_back(grown(member.arc.arc.box, scale_.touching));
         }
-        forEachOverlap(boxes, [this](std::size_t i, std::size_t j) { addContacts(members_[i], members_[j]); });
+        forEachOverlap(boxes, budget_, [this](std::size_t i, std::size_t j) { addContacts(members_[i], members_[j]); });
         std::ranges::sort(overlaps_, {}, [](const Overlap& overlap) {
             const auto& [one, other] = overlap.passes;
             return std::tuple(one.curve, one.segment, other.curve, other.segment, one.from, other.from);
         });
-        return {unitedPlaces(chains_, meetings_, scale_.place * frame_.unit), std::move(overlaps_)};
+        Crossings found{unitedPlaces(chains_, meetings_, scale_.place * frame_.unit, budget_), std::move(overlaps_)};
+        std::size_t passes = 2 * found.overlaps.size();
+        for (const Crossing& place : found.places)
+            passes += place.passes.size();
+        if (passes > mostPasses_)
+            budget_.endFor(WorkEnd::tooMuchFound);
+        return found;
     }
 
   private:
@@ -93,6 +105,8 @@ class Search {
         const SegmentChain& chain = chains_[curve];
         const auto after = followers(chain);
         for (std::size_t i = 0; i < chain.segments.size(); ++i) {
+            if (!budget_.spend(kStepsOfSegment))
+                return;
             const Points& segment = chain.segments[i];
             if (!isOnePoint(segment) && !turnsBackOnItself(segment))
                 members_.push_back({curve, i, cuspedArcOf(segment, frame_), after[i]});
@@ -102,7 +116,7 @@ class Search {
     void addDoublePoints(const Member& member) {
         // The only segment of a closed chain ends at the knot where it starts.
         const bool isRing = member.follower == member.segment;
-        SegmentContacts found = doublePoints(member.arc.arc, scale_);
+        SegmentContacts found = doublePoints(member.arc.arc, scale_, budget_);
         if (isRing)
             std::erase(found.contacts, Contact{0, 1});
         add(member, member, found);
@@ -114,7 +128,7 @@ class Search {
             joints.push_back({1, 0});
         if (one.curve == other.curve && other.follower == one.segment)
             joints.push_back({0, 1});
-        add(one, other, contactsOf(one.arc, other.arc, joints, scale_));
+        add(one, other, contactsOf(one.arc, other.arc, joints, scale_, budget_));
     }
 
     void add(const Member& one, const Member& other, const SegmentContacts& found) {
@@ -123,9 +137,13 @@ class Search {
         for (const auto& [from, to] : found.common)
             overlaps_.push_back(
                 {{{{one.curve, one.segment, from.a, to.a}, {other.curve, other.segment, from.b, to.b}}}});
+        if (2 * overlaps_.size() > mostPasses_) // of meetings several may turn out as one place
+            budget_.endFor(WorkEnd::tooMuchFound);
     }
 
     std::span<const SegmentChain> chains_;
+    WorkBudget& budget_;
+    std::size_t mostPasses_;
     double diagonal_ = 0;
     ArcFrame frame_;
     ContactScale scale_;
@@ -136,8 +154,17 @@ class Search {
 
 } // namespace
 
+std::optional<Crossings> findCrossings(std::span<const SegmentChain> chains, WorkBudget& budget,
+                                       std::size_t mostPasses) {
+    Crossings found = Search(chains, budget, mostPasses).find();
+    if (budget.end())
+        return {};
+    return found;
+}
+
 Crossings findCrossings(std::span<const SegmentChain> chains) {
-    return Search(chains).find();
+    return withoutLimit(
+        [&](WorkBudget& budget) { return findCrossings(chains, budget, std::numeric_limits<std::size_t>::max()); });
 }
 
 } // namespace kriva

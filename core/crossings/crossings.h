@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/point.h"
+#include "core/work/work_budget.h"
 
 #include <array>
 
@@ -51,7 +52,12 @@ struct Crossings {
 /// segment that starts there. Segments of one point take no part, straight ones that turn back neither. Parameters are
 /// right to 1e-7, 1e-6 where curves touch; places to 1e-9 of the diagonal.
 ///
-/// O(n log n + pairs of boxes that overlap), each pair by SegmentContacts, each segment alone by doublePoints.
+/// Nothing where the budget has ended; it ends as WorkEnd::tooMuchFound beyond `mostPasses`, of places and of overlaps
+/// together. O(n log n + pairs of boxes that overlap), each pair by SegmentContacts, each segment alone by
+/// doublePoints.
+[[nodiscard]] std::optional<Crossings> findCrossings(std::span<const SegmentChain> chains, WorkBudget& budget,
+                                                     std::size_t mostPasses);
+/// The same without limits.
 [[nodiscard]] Crossings findCrossings(std::span<const SegmentChain> chains);
 
 } // namespace kriva

@@ -3,11 +3,10 @@
 #include "core/bezier/evaluate.h"
 #include "core/bezier/subdivide.h"
 #include "core/crossings/chain_links.h"
+#include "core/crossings/place_grid.h"
 #include "core/geometry/box.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 namespace kriva {
 namespace {
@@ -15,21 +14,36 @@ namespace {
 /// A parameter this close to an end is the end: a tenth of what passes are told to.
 constexpr double kEndNoise = 1e-8;
 
+/// Passes that are put in order and grouped.
+constexpr std::uint64_t kStepsOfMeeting = 5;
+
+/// Meetings whose distances are compared within one step.
+constexpr std::size_t kComparedMeetings = 64;
+
+/// A part of what is certain, whatever rounding does.
+constexpr double kSurely = 0.999;
+
 class Places {
   public:
-    Places(std::span<const SegmentChain> chains, std::span<const Meeting> meetings, double distance)
+    Places(std::span<const SegmentChain> chains, std::span<const Meeting> meetings, double distance, WorkBudget& budget)
         : chains_(chains)
         , meetings_(meetings)
-        , distance_(distance) {
+        , distance_(distance)
+        , budget_(budget) {
         for (const SegmentChain& chain : chains)
             followers_.push_back(followers(chain));
         for (const Meeting& meeting : meetings)
-            at_.push_back(pointAt(meeting.one));
+            if (budget.spend(kStepsOfMeeting))
+                at_.push_back(pointAt(meeting.one));
     }
 
     [[nodiscard]] std::vector<Crossing> united() const {
         std::vector<Crossing> places;
+        if (budget_.end())
+            return places;
         for (const std::vector<std::size_t>& cluster : clusters()) {
+            if (!budget_.spend(kStepsOfMeeting * cluster.size()))
+                break;
             Crossing place{{}, passesOf(cluster)};
             if (place.passes.size() < 2)
                 continue;
@@ -50,35 +64,31 @@ class Places {
     [[nodiscard]] const Points& segmentOf(const Pass& pass) const { return chains_[pass.curve].segments[pass.segment]; }
     [[nodiscard]] Point pointAt(const Pass& pass) const { return evaluate(segmentOf(pass), pass.t); }
 
-    /// Meetings by index, those of one place together. Places are found in columns as wide as the distance.
+    /// Meetings by index, those of one place together.
     [[nodiscard]] std::vector<std::vector<std::size_t>> clusters() const {
-        std::vector<std::size_t> order(meetings_.size()), root(meetings_.size());
-        std::iota(order.begin(), order.end(), std::size_t(0));
-        std::iota(root.begin(), root.end(), std::size_t(0));
-        const auto key = [&](std::size_t i) { return std::pair(std::floor(at_[i].x / distance_), at_[i].y); };
-        std::ranges::sort(order, {}, key);
-        const auto rootOf = [&root](std::size_t i) {
-            while (root[i] != i)
-                i = root[i] = root[root[i]];
-            return i;
-        };
-        for (std::size_t k = 0; k < order.size(); ++k) {
-            const std::size_t i = order[k];
-            const auto uniteFrom = [&](auto first, double column) {
-                for (; first != order.end() && key(*first) <= std::pair(column, at_[i].y + distance_); ++first)
-                    if (kriva::distance(at_[i], at_[*first]) <= distance_)
-                        root[rootOf(*first)] = rootOf(i);
-            };
-            const double column = key(i).first;
-            uniteFrom(order.begin() + static_cast<std::ptrdiff_t>(k) + 1, column);
-            uniteFrom(std::ranges::lower_bound(order, std::pair(column + 1, at_[i].y - distance_), {}, key),
-                      column + 1);
+        const PlaceGrid grid(at_, distance_);
+        Clusters clusters(at_.size());
+        for (std::size_t cell = 0; cell < grid.cells().size(); ++cell) {
+            // Those of one cell are closer than the distance.
+            const std::span<const std::size_t> own = grid.indicesIn(cell);
+            for (const std::size_t i : own)
+                clusters.unite(own.front(), i);
+            grid.forEachNeighbour(cell, [&](std::span<const std::size_t> others) { uniteNear(clusters, own, others); });
         }
-        std::vector<std::vector<std::size_t>> byRoot(meetings_.size());
-        for (std::size_t i = 0; i < meetings_.size(); ++i)
-            byRoot[rootOf(i)].push_back(i);
-        std::erase_if(byRoot, [](const auto& cluster) { return cluster.empty(); });
-        return byRoot;
+        return clusters.take();
+    }
+
+    /// Unites two cells, of which each is one cluster, if any two of them are close enough.
+    void uniteNear(Clusters& clusters, std::span<const std::size_t> own, std::span<const std::size_t> others) const {
+        if (clusters.areOne(own.front(), others.front()))
+            return;
+        for (const std::size_t i : own) {
+            if (!budget_.spend(1 + others.size() / kComparedMeetings))
+                return;
+            for (const std::size_t j : others)
+                if (kriva::distance(at_[i], at_[j]) <= distance_)
+                    return clusters.unite(i, j);
+        }
     }
 
     /// A pass through a knot as the start of the segment after it.
@@ -94,7 +104,17 @@ class Places {
     }
 
     [[nodiscard]] static bool isWithin(const Points& segment, double from, double to, double size) {
-        return from == to || diagonal(boxOf(part(segment, from, to))) <= size;
+        if (from == to)
+            return true;
+        // Most questions are answered by the ends of the part or by its polygon's longest possible side.
+        double longest = 0;
+        for (std::size_t i = 1; i < segment.size(); ++i)
+            longest = std::max(longest, kriva::distance(segment[i - 1], segment[i]));
+        if (static_cast<double>(segment.size() - 1) * longest * (to - from) <= kSurely * size)
+            return true;
+        if (kSurely * kriva::distance(evaluate(segment, from), evaluate(segment, to)) > size)
+            return false;
+        return diagonal(boxOf(part(segment, from, to))) <= size;
     }
 
     /// Whether the curve runs from one pass to a later one without leaving the place.
@@ -160,6 +180,7 @@ class Places {
     std::span<const SegmentChain> chains_;
     std::span<const Meeting> meetings_;
     double distance_;
+    WorkBudget& budget_;
     std::vector<std::vector<std::optional<std::size_t>>> followers_;
     std::vector<Point> at_; ///< of the meetings
 };
@@ -167,8 +188,8 @@ class Places {
 } // namespace
 
 std::vector<Crossing> unitedPlaces(std::span<const SegmentChain> chains, std::span<const Meeting> meetings,
-                                   double distance) {
-    return Places(chains, meetings, distance).united();
+                                   double distance, WorkBudget& budget) {
+    return Places(chains, meetings, distance, budget).united();
 }
 
 } // namespace kriva

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/crossings/crossings.h"
+#include "core/work/work_budget.h"
 
 namespace kriva {
 
@@ -11,8 +12,10 @@ struct Meeting {
 };
 
 /// Meetings closer to each other than the distance, in a chain, as one place with all their passes; passes that run
-/// into each other without leaving the place are one. What is left of a place with one pass only is none.
+/// into each other without leaving the place are one. What is left of a place with one pass only is none. O(n log n)
+/// where meetings in one place are closer to each other than half the distance.
 [[nodiscard]] std::vector<Crossing> unitedPlaces(std::span<const SegmentChain> chains,
-                                                 std::span<const Meeting> meetings, double distance);
+                                                 std::span<const Meeting> meetings, double distance,
+                                                 WorkBudget& budget);
 
 } // namespace kriva

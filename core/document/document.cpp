@@ -269,14 +269,20 @@ Figure figureOfCurves(const Sheet& sheet, SheetIndex index) {
 }
 
 Figure figureOf(const Sheet& sheet, SheetIndex index) {
+    return figureOf(sheet, index, shownRelations(sheet, index));
+}
+
+Figure figureOf(const Sheet& sheet, SheetIndex index, const Relations& relations) {
     const std::span<const LayerInfo> layers = layersOf(index);
-    const bool hasRelations = std::ranges::any_of(
-        layers, [&](const LayerInfo& layer) { return layer.isOfSheet && isShown(layer, sheet.view); });
-    if (!hasRelations) // they may take seconds
+    if (relations.figure.layers.empty())
         return figureOfCurves(sheet, index);
-    return united(
-        {figureOfCurves(sheet, index), shownLayers(relationsOf(sheet, index).figure, layers, {.view = &sheet.view})},
-        layers);
+    return united({figureOfCurves(sheet, index), shownLayers(relations.figure, layers, {.view = &sheet.view})}, layers);
+}
+
+Relations shownRelations(const Sheet& sheet, SheetIndex index) {
+    const bool areShown = std::ranges::any_of(
+        layersOf(index), [&](const LayerInfo& layer) { return layer.isOfSheet && isShown(layer, sheet.view); });
+    return areShown ? relationsOf(sheet, index) : Relations(); // they may take seconds
 }
 
 } // namespace kriva

@@ -102,8 +102,13 @@ template <class C>
 /// How a curve of the sheet, which outlives this, enters its figure.
 [[nodiscard]] FigureContext contextOf(const Sheet& sheet, int curve);
 
-/// The figure of a whole sheet under its view: what its canvas shows and an export draws.
+/// The figure of a whole sheet under its view: what its canvas shows and an export draws. Relations that are beyond the
+/// limits are not in it.
 [[nodiscard]] Figure figureOf(const Sheet& sheet, SheetIndex index);
+/// The same with relations that are known, as shownRelations() gives them.
+[[nodiscard]] Figure figureOf(const Sheet& sheet, SheetIndex index, const Relations& relations);
+/// What the curves have with each other if the view shows it, otherwise empty.
+[[nodiscard]] Relations shownRelations(const Sheet& sheet, SheetIndex index);
 /// The same without the relations of the curves: quick, and of the same box.
 [[nodiscard]] Figure figureOfCurves(const Sheet& sheet, SheetIndex index);
 

@@ -1,12 +1,15 @@
 #include "core/document/report.h"
 
 #include "core/document/limit_check.h"
+#include "core/document/limits.h"
+#include "core/work/work_budget.h"
 
 namespace kriva {
 namespace {
 
+/// Why the sheet cannot be reported, which may be seen only on the way.
 template <class C>
-void reportSheetOf(JsonWriter& json, const Sheet& sheet) {
+std::optional<FileError> reportSheetOf(JsonWriter& json, const Sheet& sheet) {
     const std::vector<const C*> curves = curvesOf<C>(sheet);
     json.key("curves").beginList();
     for (const C* curve : curves) {
@@ -19,8 +22,10 @@ void reportSheetOf(JsonWriter& json, const Sheet& sheet) {
     }
     json.endList();
     // Only some sheets tell something about all their curves together.
-    if constexpr (requires { reportTogether(json, std::span<const C* const>(curves)); })
-        reportTogether(json, std::span<const C* const>(curves));
+    WorkBudget budget(limits::kSteps);
+    if constexpr (requires { reportTogether(json, std::span<const C* const>(curves), budget); })
+        return reportTogether(json, std::span<const C* const>(curves), budget);
+    return {};
 }
 
 bool isReported(SheetIndex sheet, std::optional<SheetIndex> only) {
@@ -40,7 +45,10 @@ std::variant<std::string, FileError> reportJson(const Document& document, std::s
         if (!isReported(index, only))
             continue;
         json.key(sheetName(index)).beginObject();
-        std::visit([&]<class C>(const C&) { reportSheetOf<C>(json, document.sheets[index]); }, emptyCurve(index));
+        std::optional<FileError> error = std::visit(
+            [&]<class C>(const C&) { return reportSheetOf<C>(json, document.sheets[index]); }, emptyCurve(index));
+        if (error)
+            return *std::move(error);
         json.endObject();
     }
     json.endObject().endObject();

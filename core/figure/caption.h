@@ -64,6 +64,8 @@ enum class Caption {
     openEnd,       ///< of a chain: the continuity of its first and last knot
     crossingCount, ///< of the sheet
     crossing,      ///< by number
+    passCount,     ///< of the sheet, through crossings and overlaps
+    tooManyToCount,
     overlapCount,
     curvatureExtrema,
     bendingEnergy,

@@ -74,6 +74,7 @@ Drawing drawn(Figure figure, const Box& box, const Document& document, SheetInde
 struct FrameFigures {
     std::vector<Figure> figures;
     Box box;
+    std::optional<FileError> refusal;
 };
 std::optional<FrameFigures> frameFigures(const Document& document, SheetIndex sheet, std::span<const FramePlace> places,
                                          const DrawingOptions& options) {
@@ -83,7 +84,10 @@ std::optional<FrameFigures> frameFigures(const Document& document, SheetIndex sh
         const std::optional<Sheet> frame = atFrame(onView, place);
         if (!frame)
             return {};
-        frames.figures.push_back(lettered(figureOf(*frame, sheet), options));
+        const Relations relations = shownRelations(*frame, sheet);
+        if (relations.refusal)
+            frames.refusal = relations.refusal;
+        frames.figures.push_back(lettered(figureOf(*frame, sheet, relations), options));
         frames.box = united(frames.box, boxOf(frames.figures.back()));
     }
     return frames;
@@ -107,10 +111,13 @@ void move(Figure& figure, Vector by) {
 } // namespace
 
 Drawing drawingOf(const Document& document, SheetIndex sheet, const TextSource& texts, const DrawingOptions& options) {
-    Figure figure = lettered(figureOf(chosen(document.sheets[sheet], sheet, options), sheet), options);
+    const Sheet onView = chosen(document.sheets[sheet], sheet, options);
+    const Relations relations = shownRelations(onView, sheet);
+    Figure figure = lettered(figureOf(onView, sheet, relations), options);
     const Box box = boxOf(figure);
     Drawing drawing = drawn(std::move(figure), box, document, sheet, texts, options);
     drawing.sheet = sheet;
+    drawing.refusal = relations.refusal;
     return drawing;
 }
 
@@ -121,8 +128,10 @@ std::optional<std::vector<Drawing>> framesOf(const Document& document, SheetInde
     if (!frames)
         return {};
     std::vector<Drawing> drawings;
-    for (Figure& figure : frames->figures)
+    for (Figure& figure : frames->figures) {
         drawings.push_back(drawn(std::move(figure), frames->box, document, sheet, texts, options));
+        drawings.back().refusal = frames->refusal;
+    }
     return drawings;
 }
 
@@ -139,7 +148,9 @@ std::optional<Drawing> frameStripOf(const Document& document, SheetIndex sheet, 
         move(frames->figures[i], by);
         all = united(all, {frames->box.xmin + by.x, frames->box.ymin, frames->box.xmax + by.x, frames->box.ymax});
     }
-    return drawn(united(std::move(frames->figures), layersOf(sheet)), all, document, sheet, texts, options);
+    Drawing strip = drawn(united(std::move(frames->figures), layersOf(sheet)), all, document, sheet, texts, options);
+    strip.refusal = frames->refusal;
+    return strip;
 }
 
 Drawing drawingOf(std::span<const Plot> plots, const TextSource& texts, const DrawingOptions& options) {

@@ -19,6 +19,8 @@ struct Drawing {
     Theme theme = Theme::light;
     bool hasPaper = true;                 ///< a background of the paper's colour
     std::optional<SheetIndex> sheet = {}; ///< of which it is the figure, as it lies in the document
+    /// Why something is missing in the figure: it may be looked at, but no file is made of it.
+    std::optional<FileError> refusal = {};
 };
 
 /// The figure of a sheet.

@@ -1,15 +1,11 @@
 #include "core/spline/spline_crossings.h"
 
-#include "core/document/limits.h"
 #include "core/figure/labels.h"
 
 #include <algorithm>
 
 namespace kriva {
 namespace {
-
-/// The editor opens more segments than anyone can wait for.
-constexpr std::size_t kMostSegments = limits::kReportedSegments;
 
 /// More places are counted, but not listed one by one.
 constexpr std::size_t kMostListed = 1000;
@@ -46,6 +42,26 @@ Layer crossingsLayer(std::span<const SplineCurve* const> curves, const Crossings
     return {"crossings", {}, {{std::move(places), Role::crossing}}};
 }
 
+/// Why there are no crossings to tell.
+FileError refusalFor(WorkEnd end) {
+    FileError error;
+    error.place = std::string("sheets.").append(SplineCurve::kSheet).append(".curves");
+    error.problem = end == WorkEnd::tooMuchFound ? FileProblem::tooManyPasses : FileProblem::tooManyIntersections;
+    if (end == WorkEnd::tooMuchFound)
+        error.numbers = {static_cast<double>(limits::kPasses)};
+    return error;
+}
+
+Relations refused(WorkEnd end) {
+    Relations relations;
+    if (end == WorkEnd::tooMuchFound)
+        relations.results.push_back({Caption::passCount, "", MoreThan{static_cast<int>(limits::kPasses)}});
+    else
+        relations.results.push_back({Caption::crossingCount, "", Caption::tooManyToCount});
+    relations.refusal = refusalFor(end);
+    return relations;
+}
+
 PassedPlace passedPlace(const Crossing& crossing, bool isOfSeveral) {
     PassedPlace place{crossing.at, {}};
     for (const Pass& pass : crossing.passes)
@@ -56,36 +72,41 @@ PassedPlace passedPlace(const Crossing& crossing, bool isOfSeveral) {
 
 } // namespace
 
-Crossings crossingsOf(std::span<const SplineCurve* const> curves) {
+std::optional<Crossings> crossingsOf(std::span<const SplineCurve* const> curves, WorkBudget& budget,
+                                     std::size_t mostPasses) {
     std::vector<SplineChain> chains;
     for (const SplineCurve* curve : curves)
         chains.push_back(solveSpline(*curve));
     std::vector<SegmentChain> parts;
     for (std::size_t i = 0; i < curves.size(); ++i)
         parts.push_back({chains[i].segments, curves[i]->closed});
-    return findCrossings(parts);
+    return findCrossings(parts, budget, mostPasses);
 }
 
-void reportTogether(JsonWriter& json, std::span<const SplineCurve* const> curves) {
-    const Crossings crossings = crossingsOf(curves);
+std::optional<FileError> reportTogether(JsonWriter& json, std::span<const SplineCurve* const> curves,
+                                        WorkBudget& budget) {
+    const std::optional<Crossings> crossings = crossingsOf(curves, budget);
+    if (!crossings)
+        return refusalFor(*budget.end());
     json.key("crossings").beginList();
-    for (const Crossing& place : crossings.places)
+    for (const Crossing& place : crossings->places)
         writePlace(json, place);
     json.endList().key("overlaps").beginList();
-    for (const Overlap& overlap : crossings.overlaps)
+    for (const Overlap& overlap : crossings->overlaps)
         writeOverlap(json, overlap);
     json.endList();
+    return {};
 }
 
 std::optional<Relations> relationsOf(std::span<const SplineCurve* const> curves, WorkBudget& budget) {
-    std::size_t segments = 0;
-    for (const SplineCurve* curve : curves)
-        segments += segmentCount(*curve);
-    if (segments == 0 || segments > kMostSegments)
+    if (std::ranges::all_of(curves, [](const SplineCurve* curve) { return isIncomplete(*curve); }))
         return Relations();
-    if (!budget.spend())
+    const std::optional<Crossings> found = crossingsOf(curves, budget);
+    if (budget.end() == WorkEnd::stopped)
         return {};
-    const Crossings crossings = crossingsOf(curves);
+    if (!found)
+        return refused(*budget.end());
+    const Crossings& crossings = *found;
     Relations relations;
     relations.results.push_back({Caption::crossingCount, "", static_cast<int>(crossings.places.size())});
     for (std::size_t i = 0; i < std::min(crossings.places.size(), kMostListed); ++i)

@@ -2,17 +2,21 @@
 
 #include "core/crossings/crossings.h"
 #include "core/document/json/json_writer.h"
+#include "core/document/limits.h"
 #include "core/document/relations.h"
 #include "core/spline/spline.h"
 #include "core/work/work_budget.h"
 
 namespace kriva {
 
-/// How the curves of a sheet meet; those still being drawn take no part.
-[[nodiscard]] Crossings crossingsOf(std::span<const SplineCurve* const> curves);
+/// How the curves of a sheet meet; those still being drawn take no part. Nothing where the budget has ended, which it
+/// does as WorkEnd::tooMuchFound beyond so many passes.
+[[nodiscard]] std::optional<Crossings> crossingsOf(std::span<const SplineCurve* const> curves, WorkBudget& budget,
+                                                   std::size_t mostPasses = limits::kPasses);
 
-/// The members of the sheet in the report after its curves.
-void reportTogether(JsonWriter& json, std::span<const SplineCurve* const> curves);
+/// The members of the sheet in the report after its curves; why there are none where the budget has ended.
+[[nodiscard]] std::optional<FileError> reportTogether(JsonWriter& json, std::span<const SplineCurve* const> curves,
+                                                      WorkBudget& budget);
 
 /// The same for people: how many crossings and where, and marks for those of curves that are shown. Nothing where the
 /// budget was stopped.

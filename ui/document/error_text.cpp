@@ -73,6 +73,10 @@ QString Errors::reason(const FileError& error) {
         return tr("expected %n element(s)", nullptr, error.numbers.empty() ? 0 : static_cast<int>(error.numbers[0]));
     case FileProblem::tooMany:
         return tr("more than %1 is too many").arg(number(error, 0));
+    case FileProblem::tooManyPasses:
+        return tr("more than %1 passes through crossings and overlaps are too many").arg(number(error, 0));
+    case FileProblem::tooManyIntersections:
+        return tr("the curves have too many intersections to work out");
     case FileProblem::noSuchIndex:
         return tr("no such index");
     case FileProblem::tooLarge:

@@ -88,6 +88,10 @@ class Captions {
             return tr("Crossings of the sheet");
         case Caption::crossing:
             return tr("Crossing");
+        case Caption::passCount:
+            return tr("Passes through crossings and overlaps");
+        case Caption::tooManyToCount:
+            return tr("too many to count");
         case Caption::overlapCount:
             return tr("Overlaps of the sheet");
         case Caption::bendingEnergy:

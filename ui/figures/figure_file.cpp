@@ -3,6 +3,7 @@
 #include "core/io/plain_number.h"
 #include "core/io/points_csv.h"
 #include "core/io/svg/svg_writer.h"
+#include "ui/document/error_text.h"
 #include "ui/figures/caption_text.h"
 #include "ui/figures/figure_ink.h"
 
@@ -79,7 +80,16 @@ QString faultText(FigureFault fault) {
     return FaultTexts::tr("TeX draws at most %1 mm a side; give the figure a width").arg(kMostTexSide);
 }
 
+QString faultText(const FigureFile& file) {
+    if (const FileError* error = std::get_if<FileError>(&file))
+        return errorText(*error);
+    const FigureFault* fault = std::get_if<FigureFault>(&file);
+    return fault ? faultText(*fault) : QString();
+}
+
 FigureFile drawingFile(const Drawing& drawing, const FigureFileOptions& options) {
+    if (drawing.refusal)
+        return *drawing.refusal;
     const TextSource texts = textSource();
     switch (options.format) {
     case FigureFormat::pdf:
@@ -114,12 +124,16 @@ FigureFile framesFile(const Document& document, SheetIndex sheet, const FigureFi
         const auto frames = framesOf(document, sheet, options.frames, texts, options.drawing);
         if (!frames)
             return FigureFault::noSuchFrame;
+        if (frames->front().refusal)
+            return *frames->front().refusal;
         return bytesOf(writeAnimatedSvg(*frames, options.frameSeconds, texts, svg));
     }
     const auto strip = frameStripOf(document, sheet, options.frames, texts, options.drawing);
     if (!strip)
         return FigureFault::noSuchFrame;
-    return options.format == FigureFormat::svg ? bytesOf(writeSvg(*strip, texts, svg)) : drawingFile(*strip, options);
+    if (options.format != FigureFormat::svg || strip->refusal)
+        return drawingFile(*strip, options);
+    return bytesOf(writeSvg(*strip, texts, svg));
 }
 
 } // namespace
@@ -140,9 +154,12 @@ FigureFile figureFile(const Document& document, SheetIndex sheet, const FigureFi
         return bytesOf(writePointsCsv(document.sheets[sheet], options.drawing.curve));
     if (!options.frames.empty())
         return framesFile(document, sheet, options);
-    if (options.format == FigureFormat::svg && options.holdsDocument)
-        return bytesOf(writeSheetSvg(document, sheet, texts, options.drawing, svgOptions(options)));
-    return drawingFile(drawingOf(document, sheet, texts, options.drawing), options);
+    const Drawing drawing = drawingOf(document, sheet, texts, options.drawing);
+    if (options.format != FigureFormat::svg || !options.holdsDocument || drawing.refusal)
+        return drawingFile(drawing, options);
+    SvgOptions svg = svgOptions(options);
+    svg.document = documentForSvg(document);
+    return bytesOf(writeSvg(drawing, texts, svg));
 }
 
 } // namespace kriva::ui

@@ -17,7 +17,7 @@ namespace kriva::ui {
 /// ".svg"
 [[nodiscard]] QString suffixOf(FigureFormat format);
 
-/// Why there is no such file.
+/// Why there is no such file, whatever the curves.
 enum class FigureFault {
     tooManyPixels, ///< a side of more than kMostPixels
     beyondTex,     ///< a side longer than TeX can count, kMostTexSide
@@ -26,7 +26,10 @@ enum class FigureFault {
 /// The same as a part of a sentence in the present language.
 [[nodiscard]] QString faultText(FigureFault fault);
 
-using FigureFile = std::variant<QByteArray, FigureFault>;
+/// The bytes; or why there is no file, of curves that are beyond a limit as well.
+using FigureFile = std::variant<QByteArray, FigureFault, FileError>;
+/// Why there is none, likewise; empty where there is one.
+[[nodiscard]] QString faultText(const FigureFile& file);
 
 /// The file of a drawing, which is no document and has no points: not CSV.
 [[nodiscard]] FigureFile drawingFile(const Drawing& drawing, const FigureFileOptions& options);

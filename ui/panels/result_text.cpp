@@ -3,6 +3,7 @@
 #include "ui/figures/caption_text.h"
 #include "ui/shell/language/number_text.h"
 
+#include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
@@ -12,6 +13,12 @@
 
 namespace kriva::ui {
 namespace {
+
+class Values {
+    Q_DECLARE_TR_FUNCTIONS(Values)
+  public:
+    static QString moreThan(int count) { return tr("more than %L1").arg(count); }
+};
 
 /// Makes texts of the values that a result can have.
 struct ValueText {
@@ -50,6 +57,8 @@ struct ValueText {
         }
         return text + (*this)(place.at);
     }
+
+    [[nodiscard]] QString operator()(const MoreThan& most) const { return Values::moreThan(most.count); }
 
   private:
     [[nodiscard]] QString list(const std::vector<double>& numbers) const {

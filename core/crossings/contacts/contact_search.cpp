@@ -12,6 +12,12 @@ namespace {
 /// Halvings of both arcs together after which parameters differ by rounding only.
 constexpr int kDeepest = 100;
 
+/// Halving, boxes and strips of two arcs.
+constexpr std::uint64_t kStepsOfVisit = 3;
+
+/// The order of a contact out of its series.
+constexpr std::uint64_t kStepsOfTouching = 60;
+
 /// Arcs that may be a little farther apart than `touching` still count as touching all along: else the places where
 /// they are just that far apart would be halved without end.
 constexpr double kStillTouching = 1.5;
@@ -48,6 +54,8 @@ void ContactSearch::search(const Arc& a, const Arc& b, std::vector<Contact>& fou
 }
 
 void ContactSearch::visit(const Arc& a, const Arc& b, int depth) {
+    if (!budget_.spend(kStepsOfVisit))
+        return;
     if (!overlap(grown(a.box, scale_.touching), b.box) || areApart(a, b, scale_.touching))
         return;
     bool atJoint = false;
@@ -91,10 +99,10 @@ bool ContactSearch::decide(const Arc& a, const Arc& b, bool atJoint) {
             found_->push_back(*contact);
         return contact.has_value();
     }
-    const auto gap = GraphGap::between(a, b);
+    const auto gap = GraphGap::between(a, b, budget_);
     if (!gap)
         return false;
-    const auto contacts = gap->contacts(scale_.touching);
+    const auto contacts = gap->contacts(scale_.touching, budget_);
     if (!contacts) {
         if (gap->isWithin(kStillTouching * scale_.touching))
             addTouching(a, b);
@@ -148,6 +156,8 @@ bool ContactSearch::areWithinTouching(const Arc& a, const Arc& b) const {
 
 /// The place where two arcs that touch all along are flattest against each other. They may also just meet at an end.
 void ContactSearch::addTouching(const Arc& a, const Arc& b) {
+    if (!budget_.spend(kStepsOfTouching))
+        return;
     Contact start{0.5, 0.5};
     for (const Contact& corner : {Contact{0, 0}, Contact{0, 1}, Contact{1, 0}, Contact{1, 1}})
         if (gapAt(a, b, corner) < gapAt(a, b, start))

@@ -7,9 +7,10 @@ namespace kriva {
 /// The contacts inside two arcs of different segments; those at the ends of the segments may be missing.
 class ContactSearch {
   public:
-    ContactSearch(const ContactScale& scale, std::span<const Contact> joints)
+    ContactSearch(const ContactScale& scale, std::span<const Contact> joints, WorkBudget& budget)
         : scale_(scale)
-        , joints_(joints) {}
+        , joints_(joints)
+        , budget_(budget) {}
 
     /// Appends what it finds; where the arcs touch along a stretch, several places of it.
     void search(const Arc& a, const Arc& b, std::vector<Contact>& found);
@@ -23,6 +24,7 @@ class ContactSearch {
 
     ContactScale scale_;
     std::span<const Contact> joints_;
+    WorkBudget& budget_;
     std::vector<Contact>* found_ = nullptr;
 };
 

@@ -11,6 +11,11 @@ constexpr double kRounding = std::numeric_limits<double>::epsilon();
 /// A gap below this may come from rounding: arcs are parts of a figure of about the size 1.
 constexpr double kGapNoise = 0x1p-48;
 
+/// Two graphs out of arcs, with the bounds of their bends.
+constexpr std::uint64_t kStepsOfGraphs = 8;
+/// The gap at one x: a place of each graph by Newton's method.
+constexpr std::uint64_t kStepsOfValue = 6;
+
 struct ValueAndSlope {
     double value;
     double slope;
@@ -41,7 +46,9 @@ std::optional<GraphGap::Graph> GraphGap::graphOf(const Arc& arc, Point origin, V
     return graph;
 }
 
-std::optional<GraphGap> GraphGap::between(const Arc& a, const Arc& b) {
+std::optional<GraphGap> GraphGap::between(const Arc& a, const Arc& b, WorkBudget& budget) {
+    if (!budget.spend(kStepsOfGraphs))
+        return {};
     const double chord = length(a.chord());
     if (chord == 0)
         return {};
@@ -128,7 +135,7 @@ Contact GraphGap::contactAt(double x) const {
 /// Where a measure of the gap that differs in sign at both places vanishes: the secant of Illinois, every third step a
 /// halving.
 template <class Measure>
-double GraphGap::zeroBetween(double low, double high, Measure measure) const {
+double GraphGap::zeroBetween(double low, double high, WorkBudget& budget, Measure measure) const {
     double atLow = measure(at(low)), atHigh = measure(at(high));
     int kept = 0;
     for (int step = 0; step < 120 && high - low > kRounding * (std::abs(low) + std::abs(high)); ++step) {
@@ -138,7 +145,7 @@ double GraphGap::zeroBetween(double low, double high, Measure measure) const {
         if (x <= low || x >= high)
             break;
         const double value = measure(at(x));
-        if (value == 0)
+        if (value == 0 || !budget.spend(kStepsOfValue))
             return x;
         const int side = (value > 0) == (atHigh > 0) ? 1 : -1;
         (side > 0 ? high : low) = x;
@@ -159,22 +166,22 @@ bool GraphGap::isWithin(double distance) const {
     return xs_.low <= xs_.high && std::abs(middle_.gap) + deviation() <= distance;
 }
 
-std::optional<std::vector<Contact>> GraphGap::contacts(double touching) const {
+std::optional<std::vector<Contact>> GraphGap::contacts(double touching, WorkBudget& budget) const {
     if (xs_.low > xs_.high || std::abs(middle_.gap) > touching + deviation())
         return std::vector<Contact>();
     if (bend_.low > 0)
-        return contactsOfConvex(1, touching);
+        return contactsOfConvex(1, touching, budget);
     if (bend_.high < 0)
-        return contactsOfConvex(-1, touching);
+        return contactsOfConvex(-1, touching, budget);
     const double half = (xs_.high - xs_.low) / 2;
     const double steepest = std::abs(middle_.slope) - half * std::max(-bend_.low, bend_.high);
     if (half * steepest > kGapNoise)
-        return contactsOfSteep(touching * kOn);
+        return contactsOfSteep(touching * kOn, budget);
     return {};
 }
 
 /// The gap rises or falls throughout.
-std::vector<Contact> GraphGap::contactsOfSteep(double noise) const {
+std::vector<Contact> GraphGap::contactsOfSteep(double noise, WorkBudget& budget) const {
     const double first = at(xs_.low).gap, last = at(xs_.high).gap;
     if (std::abs(first) <= noise)
         return {contactAt(xs_.low)};
@@ -182,18 +189,18 @@ std::vector<Contact> GraphGap::contactsOfSteep(double noise) const {
         return {contactAt(xs_.high)};
     if ((first > 0) == (last > 0))
         return {};
-    return {contactAt(zeroBetween(xs_.low, xs_.high, [](const Value& value) { return value.gap; }))};
+    return {contactAt(zeroBetween(xs_.low, xs_.high, budget, [](const Value& value) { return value.gap; }))};
 }
 
 /// The gap, times the sign, bends upwards throughout.
-std::vector<Contact> GraphGap::contactsOfConvex(double sign, double touching) const {
+std::vector<Contact> GraphGap::contactsOfConvex(double sign, double touching, WorkBudget& budget) const {
     const auto [low, high] = xs_;
     const auto gap = [sign](const Value& value) { return sign * value.gap; };
     const auto slope = [sign](const Value& value) { return sign * value.slope; };
     // Where arcs meet just at their ends, rounding must not take the place from this arc and its neighbour both.
     const double noise = touching * kOn;
     const Value first = at(low), last = at(high);
-    const double lowest = slope(first) >= 0 ? low : slope(last) <= 0 ? high : zeroBetween(low, high, slope);
+    const double lowest = slope(first) >= 0 ? low : slope(last) <= 0 ? high : zeroBetween(low, high, budget, slope);
     const double least = gap(at(lowest));
     if (lowest > low && lowest < high && std::abs(least) <= touching)
         return {contactAt(lowest)};
@@ -203,9 +210,9 @@ std::vector<Contact> GraphGap::contactsOfConvex(double sign, double touching) co
         return {};
     std::vector<Contact> found;
     if (gap(first) > -noise && lowest > low)
-        found.push_back(gap(first) <= 0 ? contactAt(low) : contactAt(zeroBetween(low, lowest, gap)));
+        found.push_back(gap(first) <= 0 ? contactAt(low) : contactAt(zeroBetween(low, lowest, budget, gap)));
     if (gap(last) > -noise && lowest < high)
-        found.push_back(gap(last) <= 0 ? contactAt(high) : contactAt(zeroBetween(lowest, high, gap)));
+        found.push_back(gap(last) <= 0 ? contactAt(high) : contactAt(zeroBetween(lowest, high, budget, gap)));
     return found;
 }
 

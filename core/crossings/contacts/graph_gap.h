@@ -2,6 +2,7 @@
 
 #include "core/crossings/contacts/arc.h"
 #include "core/polynomial/bernstein_polynomial.h"
+#include "core/work/work_budget.h"
 
 namespace kriva {
 
@@ -15,11 +16,11 @@ namespace kriva {
 class GraphGap {
   public:
     /// Nothing where one of the arcs does not run along the chord of a throughout.
-    [[nodiscard]] static std::optional<GraphGap> between(const Arc& a, const Arc& b);
+    [[nodiscard]] static std::optional<GraphGap> between(const Arc& a, const Arc& b, WorkBudget& budget);
 
     /// Where the arcs meet, if the bounds tell. Where they are parallel and as close as `touching` they meet once,
     /// there.
-    [[nodiscard]] std::optional<std::vector<Contact>> contacts(double touching) const;
+    [[nodiscard]] std::optional<std::vector<Contact>> contacts(double touching, WorkBudget& budget) const;
 
     /// Whether the arcs surely stay within the distance of each other all along.
     [[nodiscard]] bool isWithin(double distance) const;
@@ -48,10 +49,10 @@ class GraphGap {
     [[nodiscard]] Contact contactAt(double x) const;
     /// How far the gap may be from that in the middle.
     [[nodiscard]] double deviation() const;
-    [[nodiscard]] std::vector<Contact> contactsOfConvex(double sign, double touching) const;
-    [[nodiscard]] std::vector<Contact> contactsOfSteep(double noise) const;
+    [[nodiscard]] std::vector<Contact> contactsOfConvex(double sign, double touching, WorkBudget& budget) const;
+    [[nodiscard]] std::vector<Contact> contactsOfSteep(double noise, WorkBudget& budget) const;
     template <class Measure>
-    [[nodiscard]] double zeroBetween(double low, double high, Measure measure) const;
+    [[nodiscard]] double zeroBetween(double low, double high, WorkBudget& budget, Measure measure) const;
 
     Graph a_;
     Graph b_;

@@ -1,6 +1,7 @@
 #include "core/crossings/contacts/passages.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kriva {
 namespace {
@@ -27,8 +28,8 @@ struct Stretch {
     double to;
 };
 
-void collect(const Arc& arc, Point place, double gap, int depth, std::vector<Stretch>& found) {
-    if (!isNear(arc, place, gap))
+void collect(const Arc& arc, Point place, double gap, int depth, WorkBudget& budget, std::vector<Stretch>& found) {
+    if (!budget.spend() || !isNear(arc, place, gap))
         return;
     if (arc.size() <= gap || depth == kMostHalvings) {
         if (!found.empty() && found.back().to >= arc.from)
@@ -38,8 +39,16 @@ void collect(const Arc& arc, Point place, double gap, int depth, std::vector<Str
         return;
     }
     const auto [left, right] = halved(arc);
-    collect(left, place, gap, depth + 1, found);
-    collect(right, place, gap, depth + 1, found);
+    collect(left, place, gap, depth + 1, budget, found);
+    collect(right, place, gap, depth + 1, budget, found);
+}
+
+/// Whether a place of one segment lies on the other between two of its parameters.
+bool isOnBetween(const Arc& arc, double from, double to, Point place, double touching, WorkBudget& budget) {
+    const auto isBetween = [low = std::min(from, to), high = std::max(from, to)](double t) {
+        return t >= low - kAtEnd && t <= high + kAtEnd;
+    };
+    return std::ranges::any_of(passagesThrough(arc, place, touching, budget), isBetween);
 }
 
 } // namespace
@@ -55,9 +64,9 @@ double foot(const Arc& arc, Point place, double t) {
     return t;
 }
 
-std::vector<double> passagesThrough(const Arc& arc, Point place, double gap) {
+std::vector<double> passagesThrough(const Arc& arc, Point place, double gap, WorkBudget& budget) {
     std::vector<Stretch> stretches;
-    collect(arc, place, gap, 0, stretches);
+    collect(arc, place, gap, 0, budget, stretches);
     std::vector<double> found;
     const double whole = arc.to - arc.from;
     for (const auto [from, to] : stretches) {
@@ -70,6 +79,15 @@ std::vector<double> passagesThrough(const Arc& arc, Point place, double gap) {
             found.push_back(arc.parameter(best));
     }
     return found;
+}
+
+bool touchBetween(const Arc& a, const Arc& b, Contact one, Contact other, double touching, WorkBudget& budget) {
+    return std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double share) {
+        const Point onA = evaluate(a, std::lerp(one.a, other.a, share)).at;
+        const Point onB = evaluate(b, std::lerp(one.b, other.b, share)).at;
+        return isOnBetween(b, one.b, other.b, onA, touching, budget) &&
+               isOnBetween(a, one.a, other.a, onB, touching, budget);
+    });
 }
 
 } // namespace kriva

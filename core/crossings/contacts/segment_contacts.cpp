@@ -18,8 +18,8 @@ namespace {
 /// A speed this part of the control polygon's length is none.
 constexpr double kNoSpeed = 1e-9;
 
-/// A parameter this close to an end is the end.
-constexpr double kEndNoise = 1e-10;
+/// Two segments whose boxes overlap, before anything is halved.
+constexpr std::uint64_t kStepsOfPair = 10;
 
 std::vector<double> cuspsOf(std::span<const Point> segment, const Arc& arc) {
     if (tangentCone(arc))
@@ -43,15 +43,21 @@ std::vector<double> breaksOf(const CuspedArc& segment) {
     return breaks;
 }
 
-/// Where a break of a lies on b.
-std::vector<Contact> breaksOn(const CuspedArc& a, const CuspedArc& b, double touching) {
+/// Whether a segment stays within the size between two of its parameters.
+bool stays(const Arc& arc, double t, double s, double size) {
+    return t == s || part(arc, std::min(t, s), std::max(t, s)).size() <= size;
+}
+
+/// Where a break of a lies on b. At a break of b, where that may nearly stand still, no other parameter tells the
+/// place.
+std::vector<Contact> breaksOn(const CuspedArc& a, const CuspedArc& b, double touching, WorkBudget& budget) {
     std::vector<Contact> found;
     for (const double t : breaksOf(a)) {
         const Point place = t == 0 ? a.arc.front() : t == 1 ? a.arc.back() : evaluate(a.arc, t).at;
-        for (const double s : passagesThrough(b.arc, place, touching)) {
+        for (const double s : passagesThrough(b.arc, place, touching, budget)) {
             Contact contact{t, s};
             for (const double end : breaksOf(b))
-                if (std::abs(s - end) <= kEndNoise)
+                if (std::abs(s - end) <= kAtEnd || stays(b.arc, s, end, touching))
                     contact.b = end;
             found.push_back(contact);
         }
@@ -66,36 +72,18 @@ void appendNew(std::vector<Contact>& all, const Contact& contact) {
 
 /// Whether both segments stay within a place between two contacts.
 bool areOnePlace(const CuspedArc& a, const CuspedArc& b, Contact one, Contact other, double place) {
-    const auto stays = [place](const Arc& arc, double t, double s) {
-        return t == s || part(arc, std::min(t, s), std::max(t, s)).size() <= place;
-    };
-    return stays(a.arc, one.a, other.a) && stays(b.arc, one.b, other.b);
-}
-
-/// Whether a place of one segment lies on the other between two of its parameters.
-bool isOnBetween(const Arc& arc, double from, double to, Point place, double touching) {
-    const auto isBetween = [low = std::min(from, to), high = std::max(from, to)](double t) {
-        return t >= low - kEndNoise && t <= high + kEndNoise;
-    };
-    return std::ranges::any_of(passagesThrough(arc, place, touching), isBetween);
-}
-
-/// Whether the segments stay as close as touching between two contacts.
-bool touchBetween(const Arc& a, const Arc& b, Contact one, Contact other, double touching) {
-    return std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double share) {
-        const Point onA = evaluate(a, std::lerp(one.a, other.a, share)).at;
-        const Point onB = evaluate(b, std::lerp(one.b, other.b, share)).at;
-        return isOnBetween(b, one.b, other.b, onA, touching) && isOnBetween(a, one.a, other.a, onB, touching);
-    });
+    return stays(a.arc, one.a, other.a, place) && stays(b.arc, one.b, other.b, place);
 }
 
 /// The contacts in order along a, those between which the segments touch throughout as one, where they are flattest.
-std::vector<Contact> united(const CuspedArc& a, const CuspedArc& b, std::vector<Contact> contacts, double touching) {
+std::vector<Contact> united(const CuspedArc& a, const CuspedArc& b, std::vector<Contact> contacts, double touching,
+                            WorkBudget& budget) {
     std::ranges::sort(contacts, {}, &Contact::a);
     std::vector<Contact> all;
     for (std::size_t first = 0, last = 0; first < contacts.size(); first = last) {
         last = first + 1;
-        while (last < contacts.size() && touchBetween(a.arc, b.arc, contacts[last - 1], contacts[last], touching))
+        while (last < contacts.size() &&
+               touchBetween(a.arc, b.arc, contacts[last - 1], contacts[last], touching, budget))
             ++last;
         const double way = contacts[last - 1].a - contacts[first].a;
         all.push_back(way == 0 ? contacts[first] : flattestContact(a.arc, b.arc, contacts[first], kReach * way));
@@ -123,13 +111,14 @@ struct Pair {
     const CuspedArc& a;
     const CuspedArc& b;
     const ContactScale& scale;
+    WorkBudget& budget;
 
     /// Where a break of either lies on the other, after the joints.
     [[nodiscard]] std::vector<Contact> contactsAtBreaks(std::span<const Contact> joints) const {
         std::vector<Contact> contacts(joints.begin(), joints.end());
-        for (const Contact& contact : breaksOn(a, b, scale.touching))
+        for (const Contact& contact : breaksOn(a, b, scale.touching, budget))
             appendNew(contacts, contact);
-        for (const Contact& contact : breaksOn(b, a, scale.touching))
+        for (const Contact& contact : breaksOn(b, a, scale.touching, budget))
             appendNew(contacts, {contact.b, contact.a});
         return contacts;
     }
@@ -144,7 +133,7 @@ struct Pair {
         }
         const std::vector<Arc> others = cutAt(b.arc, std::move(breaksB));
         std::vector<Contact> found;
-        ContactSearch search(scale, known);
+        ContactSearch search(scale, known, budget);
         for (const Arc& one : cutAt(a.arc, std::move(breaksA)))
             for (const Arc& other : others) {
                 const auto areIn = [&](const CommonPart& part) {
@@ -153,13 +142,13 @@ struct Pair {
                 if (std::ranges::none_of(common, areIn))
                     search.search(one, other, found);
             }
-        return united(a, b, std::move(found), scale.touching);
+        return united(a, b, std::move(found), scale.touching, budget);
     }
 
     /// A break that lies on the other segment is a contact itself; one that just comes close gives way to a crossing.
     void addAtBreak(const Contact& contact, std::vector<Contact>& found) const {
         const auto isSame = [&](const Contact& other) {
-            return touchBetween(a.arc, b.arc, contact, other, scale.touching);
+            return touchBetween(a.arc, b.arc, contact, other, scale.touching, budget);
         };
         if (gapAt(a.arc, b.arc, contact) <= kOn * scale.touching)
             std::erase_if(found, isSame);
@@ -186,14 +175,15 @@ CuspedArc cuspedArcOf(std::span<const Point> segment, const ArcFrame& frame) {
 }
 
 SegmentContacts contactsOf(const CuspedArc& a, const CuspedArc& b, std::span<const Contact> joints,
-                           const ContactScale& scale) {
-    if (!overlap(grown(a.arc.box, scale.touching), b.arc.box) || areApart(a.arc, b.arc, scale.touching))
+                           const ContactScale& scale, WorkBudget& budget) {
+    if (!budget.spend(kStepsOfPair) || !overlap(grown(a.arc.box, scale.touching), b.arc.box) ||
+        areApart(a.arc, b.arc, scale.touching))
         return {};
-    const Pair pair{a, b, scale};
+    const Pair pair{a, b, scale, budget};
     const std::vector<Contact> atBreaks = pair.contactsAtBreaks(joints);
     SegmentContacts result;
     if (atBreaks.size() > 1)
-        result.common = commonParts(a.arc, b.arc, atBreaks, scale);
+        result.common = commonParts(a.arc, b.arc, atBreaks, scale, budget);
     std::vector<Contact> known(joints.begin(), joints.end());
     for (const auto& [from, to] : result.common)
         known.insert(known.end(), {from, to});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/crossings/contacts/arc.h"
+#include "core/work/work_budget.h"
 
 #include <vector>
 
@@ -39,6 +40,6 @@ struct SegmentContacts {
 /// Common parts end at ends of segments, so they are looked for first, between the places where an end lies on the
 /// other segment. The rest is for ContactSearch.
 [[nodiscard]] SegmentContacts contactsOf(const CuspedArc& a, const CuspedArc& b, std::span<const Contact> joints,
-                                         const ContactScale& scale);
+                                         const ContactScale& scale, WorkBudget& budget);
 
 } // namespace kriva

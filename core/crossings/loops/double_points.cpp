@@ -1,5 +1,6 @@
 #include "core/crossings/loops/double_points.h"
 
+#include "core/crossings/contacts/passages.h"
 #include "core/crossings/loops/loop_quotient.h"
 
 #include <algorithm>
@@ -17,6 +18,9 @@ constexpr int kDeepest = 56;
 /// Rectangles looked at before a segment counts as lying on itself within rounding.
 constexpr int kMostCells = 200'000;
 
+/// The quotient in a rectangle, moved there and bounded.
+constexpr std::uint64_t kStepsOfCell = 8;
+
 /// Roots may lie outside of the segment by rounding.
 constexpr double kSlack = 1e-9;
 
@@ -29,8 +33,9 @@ struct Cell {
 /// Finds all roots of a quotient with m - h >= 0, m + h <= 1.
 class RootSearch {
   public:
-    explicit RootSearch(const LoopQuotient& quotient)
-        : quotient_(quotient) {}
+    RootSearch(const LoopQuotient& quotient, WorkBudget& budget)
+        : quotient_(quotient)
+        , budget_(budget) {}
 
     std::vector<LoopPlace> roots() {
         visit({-0.5, 0.5, 0, 0.25}, 0);
@@ -39,7 +44,7 @@ class RootSearch {
 
   private:
     void visit(const Cell& cell, int depth) {
-        if (++cells_ > kMostCells)
+        if (++cells_ > kMostCells || !budget_.spend(kStepsOfCell))
             return;
         // The nearest u to the middle leaves most room for h.
         const double nearest = cell.u0 > 0 ? cell.u0 : cell.u1 < 0 ? -cell.u1 : 0;
@@ -124,6 +129,7 @@ class RootSearch {
     }
 
     const LoopQuotient& quotient_;
+    WorkBudget& budget_;
     std::vector<LoopPlace> found_;
     int cells_ = 0;
 };
@@ -161,7 +167,7 @@ std::optional<double> middleOfRetrace(const LoopQuotient& quotient) {
 
 } // namespace
 
-SegmentContacts doublePoints(const Arc& arc, const ContactScale& scale) {
+SegmentContacts doublePoints(const Arc& arc, const ContactScale& scale, WorkBudget& budget) {
     SegmentContacts result;
     if (arc.degree < 3)
         return result;
@@ -174,7 +180,7 @@ SegmentContacts doublePoints(const Arc& arc, const ContactScale& scale) {
     }
     if (distance(arc.front(), arc.back()) <= scale.touching)
         result.contacts.push_back({0, 1});
-    for (const LoopPlace place : arc.degree == 3 ? rootsOfCubic(quotient) : RootSearch(quotient).roots()) {
+    for (const LoopPlace place : arc.degree == 3 ? rootsOfCubic(quotient) : RootSearch(quotient, budget).roots()) {
         if (!(place.v > kLeastLoop))
             continue;
         const double h = std::sqrt(place.v);
@@ -183,8 +189,9 @@ SegmentContacts doublePoints(const Arc& arc, const ContactScale& scale) {
         const Contact contact{std::clamp(0.5 + place.u - h, 0.0, 1.0), std::clamp(0.5 + place.u + h, 0.0, 1.0)};
         if (distance(evaluate(arc, contact.a).at, evaluate(arc, contact.b).at) > scale.touching)
             continue;
-        const auto isSame = [&contact](const Contact& other) {
-            return std::abs(other.a - contact.a) <= 1e-9 && std::abs(other.b - contact.b) <= 1e-9;
+        // Where the segment touches itself, roots are found all along.
+        const auto isSame = [&](const Contact& other) {
+            return touchBetween(arc, arc, contact, other, scale.touching, budget);
         };
         if (std::ranges::none_of(result.contacts, isSame))
             result.contacts.push_back(contact);

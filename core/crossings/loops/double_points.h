@@ -10,6 +10,6 @@ namespace kriva {
 /// is a plain root of two polynomials however small it is, a cusp a root with v = 0, an isolated double point one with
 /// v < 0. Linear for cubics; for degrees 4 and 5 the roots are isolated by halving the rectangle of m and v.
 /// A segment of degree 4 that is a parabola traced forth and back lies on itself.
-[[nodiscard]] SegmentContacts doublePoints(const Arc& arc, const ContactScale& scale);
+[[nodiscard]] SegmentContacts doublePoints(const Arc& arc, const ContactScale& scale, WorkBudget& budget);
 
 } // namespace kriva

@@ -31,8 +31,8 @@ void tellFailure(const QString& sentence, QWidget* window) {
 
 /// Whether the file is there now; what went wrong is told.
 bool writeOrTell(const FigureFile& made, const QString& path, QWidget* window) {
-    if (const FigureFault* fault = std::get_if<FigureFault>(&made)) {
-        tellFailure(QStringLiteral("%1: %2").arg(path, faultText(*fault)), window);
+    if (!std::holds_alternative<QByteArray>(made)) {
+        tellFailure(QStringLiteral("%1: %2").arg(path, faultText(made)), window);
         return false;
     }
     const auto error = safeWrite(path, std::get<QByteArray>(made));
@@ -143,7 +143,7 @@ void FigureExport::copyTikz(const SheetEditor& editor) const {
     if (const QByteArray* text = std::get_if<QByteArray>(&made))
         QGuiApplication::clipboard()->setText(QString::fromUtf8(*text));
     else
-        tellFailure(faultText(std::get<FigureFault>(made)), window_);
+        tellFailure(faultText(made), window_);
 }
 
 void FigureExport::copyPath(const SheetEditor& editor) const {
