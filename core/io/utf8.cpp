@@ -1,6 +1,35 @@
 #include "core/io/utf8.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
 namespace kriva {
+namespace {
+
+bool isBlank(char32_t c) {
+    constexpr char32_t kOthers[] = {0x20, 0x85, 0xa0, 0x1680, 0x2028, 0x2029, 0x202f, 0x205f, 0x3000};
+    const bool isControl = c >= 0x09 && c <= 0x0d;
+    const bool isOfSomeWidth = c >= 0x2000 && c <= 0x200a;
+    return isControl || isOfSomeWidth || std::ranges::find(kOthers, c) != std::end(kOthers);
+}
+
+bool isBlank(const Utf8Character& character) {
+    return character.codePoint && isBlank(*character.codePoint);
+}
+
+/// Of a text that is not empty.
+Utf8Character lastCharacter(std::string_view text) {
+    constexpr std::size_t kLongest = 4; // bytes
+    for (std::size_t size = std::min(kLongest, text.size()); size > 1; --size) {
+        const Utf8Character character = firstCharacter(text.substr(text.size() - size));
+        if (character.bytes.size() == size)
+            return character;
+    }
+    return firstCharacter(text.substr(text.size() - 1));
+}
+
+} // namespace
 
 Utf8Character firstCharacter(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -22,6 +51,22 @@ Utf8Character firstCharacter(std::string_view text) {
     if (codePoint < kSmallest[size - 2] || codePoint > 0x10ffff || isSurrogate)
         return broken;
     return {codePoint, text.substr(0, size)};
+}
+
+std::string_view withoutOuterBlanks(std::string_view text) {
+    while (!text.empty()) {
+        const Utf8Character first = firstCharacter(text);
+        if (!isBlank(first))
+            break;
+        text.remove_prefix(first.bytes.size());
+    }
+    while (!text.empty()) {
+        const Utf8Character last = lastCharacter(text);
+        if (!isBlank(last))
+            break;
+        text.remove_suffix(last.bytes.size());
+    }
+    return text;
 }
 
 } // namespace kriva

@@ -23,4 +23,7 @@ void forEachCharacter(std::string_view text, Visit visit) {
     }
 }
 
+/// The text without blanks of any kind at both ends: all that Unicode calls White_Space.
+[[nodiscard]] std::string_view withoutOuterBlanks(std::string_view text);
+
 } // namespace kriva

@@ -63,7 +63,7 @@ TEST_F(ImportCommand, refusesInOneLineThatNamesThePlace) {
                   "kriva: b.svg: there is no path to import");
     write("c.csv", "1 2\n3 four\n");
     expectOneLine(run("import c.csv -o out.kriva --sheet spline"), ExitCode::refused,
-                  "kriva: c.csv: line 2: \u201cfour\u201d is no number");
+                  "kriva: c.csv: line 2, column 3: \u201cfour\u201d is no number");
     expectOneLine(run("import missing.csv -o out.kriva --sheet spline"), ExitCode::refused,
                   "kriva: missing.csv: there is no such file");
     write("d.csv", QByteArray("1 2\n3 4\n").repeated(101));

@@ -19,6 +19,10 @@ const QString kSvgFormat = QStringLiteral("image/svg+xml");
     return {text.data(), static_cast<qsizetype>(text.size())};
 }
 
+[[nodiscard]] std::string_view charactersOf(const QByteArray& bytes) {
+    return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
+}
+
 using Clipped = std::variant<Fragment, std::vector<Curve>, QString>;
 
 class ClipTexts {
@@ -28,7 +32,7 @@ class ClipTexts {
 };
 
 [[nodiscard]] Clipped readOwn(const QByteArray& text, SheetIndex sheet) {
-    const auto read = readFragment({text.constData(), static_cast<std::size_t>(text.size())});
+    const auto read = readFragment(charactersOf(text));
     if (const FileError* error = std::get_if<FileError>(&read))
         return ClipTexts::refusal(errorText(*error));
     Fragment fragment = std::get<Fragment>(read);
@@ -42,7 +46,7 @@ class ClipTexts {
     if (const QString* refusal = std::get_if<QString>(&read))
         return ClipTexts::refusal(*refusal);
     const auto& paths = std::get<std::vector<ImportedPath>>(read);
-    if (!holdsPaths(text)) {
+    if (!holdsPaths(charactersOf(text))) {
         Curve points = emptyCurve(sheet);
         for (const ImportedPath& imported : paths)
             points = withPathAdded(std::move(points), imported.path);

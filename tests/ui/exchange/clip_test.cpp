@@ -71,7 +71,7 @@ TEST(Clip, tellsWhyItIsRefused) {
     EXPECT_EQ(refusalOf({}), QStringLiteral("The clipboard: there are no points"));
     QMimeData clip;
     clip.setText(QStringLiteral("1\t2\nthree\t4"));
-    EXPECT_EQ(refusalOf(clip), QString::fromUtf8("The clipboard: line 2: “three” is no number"));
+    EXPECT_EQ(refusalOf(clip), QString::fromUtf8("The clipboard: line 2, column 1: “three” is no number"));
     clip.setText(QStringLiteral("M0 0L1"));
     EXPECT_EQ(refusalOf(clip), QStringLiteral("The clipboard: line 1, column 7: this is no path data"));
     clip.setData(kOwn, R"({"format":"kriva-fragment","version":1,"content":"points","sheet":"combined",)"

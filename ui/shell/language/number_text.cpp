@@ -1,5 +1,7 @@
 #include "ui/shell/language/number_text.h"
 
+#include "core/io/typed_number.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -15,31 +17,6 @@ using Digits = std::array<char, 330>;
 
 constexpr double kSmallestFixed = 1e-5;
 constexpr double kLargestFixed = 1e16;
-
-[[nodiscard]] bool isDigit(QChar character) {
-    return character >= u'0' && character <= u'9';
-}
-
-/// One character of a number as the C locale writes it; 0 if no number holds it.
-[[nodiscard]] char plainCharacter(QChar character) {
-    if (isDigit(character))
-        return static_cast<char>(character.unicode());
-    switch (character.unicode()) {
-    case u'.':
-    case u',':
-        return '.';
-    case u'-':
-    case u'\u2212':
-        return '-';
-    case u'+':
-        return '+';
-    case u'e':
-    case u'E':
-        return 'e';
-    default:
-        return 0;
-    }
-}
 
 [[nodiscard]] QString localized(std::string_view digits, const QLocale& locale) {
     QString text = QString::fromLatin1(digits.data(), static_cast<qsizetype>(digits.size()));
@@ -59,25 +36,9 @@ constexpr double kLargestFixed = 1e16;
 } // namespace
 
 std::optional<double> parseNumber(QStringView text) {
-    std::string plain;
-    for (const QChar character : text.trimmed()) {
-        const char c = plainCharacter(character);
-        if (c == 0)
-            return std::nullopt;
-        plain += c;
-    }
-    // from_chars knows no leading plus; after it a second sign must not slip through.
-    std::string_view number = plain;
-    if (number.starts_with('+')) {
-        number.remove_prefix(1);
-        if (number.starts_with('-'))
-            return std::nullopt;
-    }
-    double value = 0;
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-    if (error != std::errc() || end != number.data() + number.size())
-        return std::nullopt;
-    return value;
+    const QByteArray bytes = text.toUtf8();
+    const auto typed = readTypedNumber({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return typed ? std::optional(typed->value) : std::nullopt;
 }
 
 QString formatNumber(double value, const QLocale& locale) {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace kriva {
+
+/// A number that a person or a program wrote.
+struct TypedNumber {
+    double value = 0;
+    char decimalSign = 0; ///< '.' or ',', 0 where there is none
+};
+
+/// The number of a text in UTF-8, whatever the language: decimal point and decimal comma mean the same, the minus may
+/// be U+2212, a plus, an exponent and blanks around it are allowed. Nothing for everything else: group separators
+/// ("1.234,5", "1 234"), words ("nan"), trailing text, and numbers outside the range of doubles ("1e999"). Linear.
+[[nodiscard]] std::optional<TypedNumber> readTypedNumber(std::string_view text);
+
+} // namespace kriva
