@@ -1,5 +1,7 @@
 #include "app/commands/export_command.h"
 
+#include "app/commands/interrupts.h"
+#include "app/commands/progress.h"
 #include "app/commands/streams.h"
 #include "ui/figures/figure_file.h"
 
@@ -106,9 +108,13 @@ ExitCode exportOne(const QString& file, const ExportRequest& request) {
 } // namespace
 
 ExitCode exportFigures(const ExportRequest& request) {
+    const Interrupts interrupts;
+    Progress progress;
     ExitCode worst = ExitCode::done;
-    for (const QString& file : request.files)
-        worst = std::max(worst, exportOne(file, request));
+    for (qsizetype i = 0; i < request.files.size(); ++i) {
+        progress.goOnWith(fileOf(request.files, i));
+        worst = std::max(worst, exportOne(request.files[i], request));
+    }
     return worst;
 }
 

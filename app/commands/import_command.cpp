@@ -1,5 +1,7 @@
 #include "app/commands/import_command.h"
 
+#include "app/commands/interrupts.h"
+#include "app/commands/progress.h"
 #include "app/commands/streams.h"
 #include "core/document/document_json.h"
 #include "ui/document/error_text.h"
@@ -22,9 +24,12 @@ std::variant<std::vector<ImportedPath>, QString> pathsOf(const QString& file) {
 } // namespace
 
 ExitCode importFiles(const ImportRequest& request) {
+    const Interrupts interrupts;
+    Progress progress;
     std::vector<ImportedPath> paths;
-    for (const QString& file : request.files) {
-        auto read = pathsOf(file);
+    for (qsizetype i = 0; i < request.files.size(); ++i) {
+        progress.goOnWith(fileOf(request.files, i));
+        auto read = pathsOf(request.files[i]);
         if (const QString* refusal = std::get_if<QString>(&read)) {
             printError(*refusal);
             return ExitCode::refused;

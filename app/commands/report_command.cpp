@@ -1,5 +1,7 @@
 #include "app/commands/report_command.h"
 
+#include "app/commands/interrupts.h"
+#include "app/commands/progress.h"
 #include "app/commands/streams.h"
 #include "core/document/report.h"
 #include "ui/document/error_text.h"
@@ -68,6 +70,8 @@ std::variant<QString, FileError> reportTable(const Document& document, std::opti
 }
 
 ExitCode report(const ReportRequest& request) {
+    const Interrupts interrupts;
+    const Progress progress(request.file);
     const std::optional<Document> document = openDocument(request.file);
     if (!document)
         return ExitCode::refused;

@@ -1,5 +1,6 @@
 #include "app/commands/streams.h"
 
+#include "app/commands/interrupts.h"
 #include "ui/document/document_file.h"
 #include "ui/document/error_text.h"
 
@@ -40,7 +41,10 @@ std::optional<Document> openDocument(const QString& file) {
 ExitCode writeOutput(const QString& file, const QByteArray& bytes) {
     if (isStandardStream(file))
         return printOut(bytes);
-    const auto error = ui::safeWrite(file, bytes);
+    const auto error = [&] {
+        const Uninterrupted untilWritten;
+        return ui::safeWrite(file, bytes);
+    }();
     if (error)
         printError(errorText(*error, file));
     return error ? ExitCode::notWritten : ExitCode::done;

@@ -1,5 +1,7 @@
 #include "app/commands/terminal.h"
 
+#include "app/commands/progress.h"
+
 #include <QCoreApplication>
 #include <QFile>
 
@@ -64,6 +66,7 @@ void printError(const QString& line) {
     constexpr qsizetype kLongestLine = 1000;
     const QString whole = QStringLiteral("kriva: ") + printable(line);
     const QString cut = whole.size() > kLongestLine ? whole.first(kLongestLine - 1) + QChar(u'…') : whole;
+    eraseProgress();
     // Where stderr itself is gone there is nobody left to tell.
     (void)writeAll(cut.toUtf8() + '\n', stderr);
 }
@@ -87,6 +90,7 @@ std::variant<QByteArray, ui::ReadError> readIn() {
 }
 
 ExitCode printOut(const QByteArray& bytes) {
+    endProgress();
     if (writeAll(bytes, stdout))
         return ExitCode::done;
     printError(Terminal::notWritten());
