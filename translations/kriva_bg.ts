@@ -789,6 +789,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>%1: its lines were edited in another program; the document inside is taken as it was</source>
         <translation>%1: линиите са променени в друга програма; взема се документът вътре, какъвто е бил</translation>
     </message>
+    <message>
+        <source>%1: at work for %2 s; Ctrl+C ends it</source>
+        <translation>%1: изчислява се от %2 s; Ctrl+C прекратява</translation>
+    </message>
 </context>
 <context>
     <name>CurveName</name>
@@ -961,6 +965,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>there is no path to import</source>
         <translation>няма път за внасяне</translation>
+    </message>
+    <message>
+        <source>the interpolated runs have more than %1 pairs of points</source>
+        <translation>интерполираните участъци имат повече от %1 двойки точки</translation>
     </message>
 </context>
 <context>
@@ -2193,16 +2201,24 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>повече от %1 точки са твърде много</translation>
     </message>
     <message>
-        <source>line %1: expected two numbers</source>
-        <translation>ред %1: очакват се две числа</translation>
+        <source>expected two numbers</source>
+        <translation>очакват се две числа</translation>
     </message>
     <message>
-        <source>line %1: “%2” is no number</source>
-        <translation>ред %1: „%2“ не е число</translation>
+        <source>“%1” is no number</source>
+        <translation>„%1“ не е число</translation>
     </message>
     <message>
-        <source>line %1: “%2” is not from %3 to %4</source>
-        <translation>ред %1: „%2“ не е от %3 до %4</translation>
+        <source>“%1” is not from %2 to %3</source>
+        <translation>„%1“ не е от %2 до %3</translation>
+    </message>
+    <message>
+        <source>“%1” has another decimal sign than the numbers before it</source>
+        <translation>„%1“ има друг десетичен знак от числата преди него</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>ред %1, колона %2</translation>
     </message>
 </context>
 <context>

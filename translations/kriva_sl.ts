@@ -789,6 +789,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>%1: its lines were edited in another program; the document inside is taken as it was</source>
         <translation>%1: črte so bile spremenjene v drugem programu; vzet je dokument v njej, kakršen je bil</translation>
     </message>
+    <message>
+        <source>%1: at work for %2 s; Ctrl+C ends it</source>
+        <translation>%1: delo teče že %2 s; Ctrl+C ga konča</translation>
+    </message>
 </context>
 <context>
     <name>CurveName</name>
@@ -963,6 +967,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>there is no path to import</source>
         <translation>ni poti za uvoz</translation>
+    </message>
+    <message>
+        <source>the interpolated runs have more than %1 pairs of points</source>
+        <translation>interpolirani odseki imajo več kot %1 parov točk</translation>
     </message>
 </context>
 <context>
@@ -2195,16 +2203,24 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <translation>več kot %1 točk je preveč</translation>
     </message>
     <message>
-        <source>line %1: expected two numbers</source>
-        <translation>vrstica %1: pričakovani sta dve števili</translation>
+        <source>expected two numbers</source>
+        <translation>pričakovani sta dve števili</translation>
     </message>
     <message>
-        <source>line %1: “%2” is no number</source>
-        <translation>vrstica %1: »%2« ni število</translation>
+        <source>“%1” is no number</source>
+        <translation>»%1« ni število</translation>
     </message>
     <message>
-        <source>line %1: “%2” is not from %3 to %4</source>
-        <translation>vrstica %1: »%2« ni med %3 in %4</translation>
+        <source>“%1” is not from %2 to %3</source>
+        <translation>»%1« ni med %2 in %3</translation>
+    </message>
+    <message>
+        <source>“%1” has another decimal sign than the numbers before it</source>
+        <translation>»%1« ima drug decimalni znak kot števila pred njim</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>vrstica %1, stolpec %2</translation>
     </message>
 </context>
 <context>

@@ -789,6 +789,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>%1: its lines were edited in another program; the document inside is taken as it was</source>
         <translation>%1: лінії змінено в іншій програмі; взято документ усередині, яким він був</translation>
     </message>
+    <message>
+        <source>%1: at work for %2 s; Ctrl+C ends it</source>
+        <translation>%1: виконується вже %2 с; Ctrl+C перериває</translation>
+    </message>
 </context>
 <context>
     <name>CurveName</name>
@@ -962,6 +966,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>there is no path to import</source>
         <translation>немає контуру для імпорту</translation>
+    </message>
+    <message>
+        <source>the interpolated runs have more than %1 pairs of points</source>
+        <translation>інтерпольовані ділянки мають понад %1 пар точок</translation>
     </message>
 </context>
 <context>
@@ -2194,16 +2202,24 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>понад %1 точок — забагато</translation>
     </message>
     <message>
-        <source>line %1: expected two numbers</source>
-        <translation>рядок %1: очікувалося два числа</translation>
+        <source>expected two numbers</source>
+        <translation>очікувалося два числа</translation>
     </message>
     <message>
-        <source>line %1: “%2” is no number</source>
-        <translation>рядок %1: «%2» — не число</translation>
+        <source>“%1” is no number</source>
+        <translation>«%1» — не число</translation>
     </message>
     <message>
-        <source>line %1: “%2” is not from %3 to %4</source>
-        <translation>рядок %1: «%2» не в межах від %3 до %4</translation>
+        <source>“%1” is not from %2 to %3</source>
+        <translation>«%1» не в межах від %2 до %3</translation>
+    </message>
+    <message>
+        <source>“%1” has another decimal sign than the numbers before it</source>
+        <translation>«%1» має інший десятковий знак, ніж числа перед ним</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>рядок %1, стовпець %2</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,8 @@
 #include "app/commands/interrupts.h"
 #include "app/commands/progress.h"
 #include "app/commands/streams.h"
+#include "core/document/limit_check.h"
+#include "ui/document/error_text.h"
 #include "ui/figures/figure_file.h"
 
 #include <QCoreApplication>
@@ -83,6 +85,8 @@ ExitCode exportOne(const QString& file, const ExportRequest& request) {
     const std::optional<SheetIndex> sheet = sheetToDraw(*document, request.sheet);
     if (!sheet)
         return refused(Export::nothingToDraw(file), ExitCode::failure);
+    if (const std::optional<FileError> error = interpolationLimitError(document->sheets[*sheet], *sheet))
+        return refused(ui::errorText(ui::OpenError(*error), file), ExitCode::refused);
     const DrawingOptions& drawing = request.options.drawing;
     const std::size_t curves = document->sheets[*sheet].curves.size();
     if (drawing.curve.value_or(0) >= curves)

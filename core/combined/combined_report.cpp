@@ -35,6 +35,15 @@ void reportJoin(JsonWriter& json, const CombinedJoin& join) {
 
 } // namespace
 
+std::size_t interpolatedPairs(const CombinedCurve& curve) {
+    if (isIncomplete(curve) || curve.method != CombinedCurve::Method::interpolation)
+        return 0;
+    std::size_t pairs = 0;
+    for (const MonotoneRun& run : monotoneRuns(curve.points))
+        pairs += run.size() * run.size();
+    return pairs;
+}
+
 void reportCurve(JsonWriter& json, const CombinedCurve& curve) {
     const Combined combined = combine(curve);
     const PathMeasures measures = measure(combined, curve.points);

@@ -29,6 +29,7 @@ enum class FileProblem {
     tooMany,              ///< more than numbers[0]
     tooManyPasses,        ///< in the crossings and overlaps of curves, more than numbers[0]
     tooManyIntersections, ///< of curves, to be found at all
+    tooManyPairs,         ///< of points in runs that are interpolated, more than numbers[0]
     noSuchIndex,
     tooLarge,         ///< the file, more than numbers[0] bytes
     noDocumentInside, ///< an SVG without a document of Kriva

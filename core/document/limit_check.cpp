@@ -48,6 +48,24 @@ std::optional<FileError> sheetLimitError(const Sheet& sheet, SheetIndex index) {
     return errorOf(totals, index);
 }
 
+std::optional<FileError> interpolationLimitError(const Sheet& sheet, SheetIndex index) {
+    std::size_t pairs = 0;
+    for (const Curve& curve : sheet.curves)
+        pairs += std::visit(
+            [](const auto& c) -> std::size_t {
+                if constexpr (requires { interpolatedPairs(c); })
+                    return interpolatedPairs(c);
+                else
+                    return 0;
+            },
+            curve);
+    if (pairs <= limits::kInterpolatedPairs)
+        return {};
+    FileError error = tooManyCurves(index, limits::kInterpolatedPairs);
+    error.problem = FileProblem::tooManyPairs;
+    return error;
+}
+
 std::optional<FileError> limitErrorWith(const Sheet& sheet, SheetIndex index, std::optional<std::size_t> replaced,
                                         const Curve& curve) {
     if (pointCount(curve) > mostPoints(curve))

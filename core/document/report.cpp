@@ -62,6 +62,9 @@ std::optional<FileError> reportLimitError(const Document& document, std::optiona
             segments += std::visit([](const auto& c) { return reportedSegments(c); }, curve);
         if (isReported(index, only) && segments > limits::kReportedSegments)
             return tooManyCurves(index, limits::kReportedSegments);
+        if (std::optional<FileError> error = interpolationLimitError(document.sheets[index], index);
+            error && isReported(index, only))
+            return error;
     }
     return {};
 }

@@ -34,9 +34,13 @@ char plainCharacter(char32_t character) {
 } // namespace
 
 std::optional<TypedNumber> readTypedNumber(std::string_view text) {
+    constexpr std::size_t kLongest = 4096; // bytes; all digits of the longest double are 1,075
     TypedNumber typed;
     std::string plain;
-    for (text = withoutOuterBlanks(text); !text.empty();) {
+    text = withoutOuterBlanks(text);
+    if (text.size() > kLongest)
+        return {};
+    while (!text.empty()) {
         const Utf8Character character = firstCharacter(text);
         const char c = plainCharacter(character.codePoint.value_or(0));
         if (c == 0)

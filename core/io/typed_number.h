@@ -13,7 +13,8 @@ struct TypedNumber {
 
 /// The number of a text in UTF-8, whatever the language: decimal point and decimal comma mean the same, the minus may
 /// be U+2212, a plus, an exponent and blanks around it are allowed. Nothing for everything else: group separators
-/// ("1.234,5", "1 234"), words ("nan"), trailing text, and numbers outside the range of doubles ("1e999"). Linear.
+/// ("1.234,5", "1 234"), words ("nan"), trailing text, numbers outside the range of doubles ("1e999"), and more than
+/// 4,096 bytes.
 [[nodiscard]] std::optional<TypedNumber> readTypedNumber(std::string_view text);
 
 } // namespace kriva

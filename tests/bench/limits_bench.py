@@ -108,7 +108,7 @@ def deep(count):
 
 def broad(size):
     """JSON of one list of zeros, of so many bytes."""
-    return "[" + "0," * (size // 2 - 1) + "0]"
+    return "[" + "0," * (size // 2 - 2) + "0]"
 
 
 def svg(inside, head=""):
@@ -242,9 +242,9 @@ def imports():
         '<defs><path id="p" d="M0 0' + "L1 2L3 4" * 4 + '"/></defs>' + '<use href="#p"/>' * 100_000)
     yield "SVG: nested 256 deep", lambda: svg("<g>" * 255 + '<path d="M0 0L1 1"/>' + "</g>" * 255)
     yield "SVG: nested 1,000,000 deep", lambda: svg("<g>" * 1_000_000 + "</g>" * 1_000_000)
-    yield "SVG: a path of 99,999 segments", lambda: path("M0 0" + "L1 2" * 99_999)
-    yield "SVG: a path of 1,000,000 segments", lambda: path("M0 0" + "L1 2" * 999_999)
-    yield "SVG: 60 MB of path data", lambda: path("M0 0" + "L1 2" * (TABLE // 4))
+    yield "SVG: a path of 99,998 segments", lambda: path("M0 0" + "L1 2L2 1" * 49_999)
+    yield "SVG: a path of 999,998 segments", lambda: path("M0 0" + "L1 2L2 1" * 499_999)
+    yield "SVG: 60 MB of path data", lambda: path("M0 0" + "L1 2L2 1" * (TABLE // 8))
     yield "SVG: 60 MB of moves", lambda: path("M0 0" + "M1 2" * (TABLE // 4))
     yield "SVG: 60 MB of closings", lambda: path("M0 0L1 1" + "Z" * TABLE)
     yield "SVG: 60 MB of arcs", lambda: path("M0 0" + "A5 3 20 1 1 9 9A5 3 20 1 1 0 0" * (TABLE // 30))

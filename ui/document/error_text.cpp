@@ -77,6 +77,8 @@ QString Errors::reason(const FileError& error) {
         return tr("more than %1 passes through crossings and overlaps are too many").arg(number(error, 0));
     case FileProblem::tooManyIntersections:
         return tr("the curves have too many intersections to work out");
+    case FileProblem::tooManyPairs:
+        return tr("the interpolated runs have more than %1 pairs of points").arg(number(error, 0));
     case FileProblem::noSuchIndex:
         return tr("no such index");
     case FileProblem::tooLarge:

@@ -1,5 +1,7 @@
 #include "core/combined/combined_report.h"
 #include "core/document/document.h"
+#include "core/document/limits.h"
+#include "core/document/report.h"
 
 #include <gtest/gtest.h>
 
@@ -38,6 +40,28 @@ TEST(CombinedReport, hasNoSlopesAtASinglePoint) {
     curve.points = {{3, 4}};
     EXPECT_THAT(reportOf(curve), HasSubstr(R"("start": [3, 4], "end": [3, 4], "startSlope": null, "endSlope": null})"));
     EXPECT_THAT(reportOf(curve), HasSubstr(R"("joins": [], "path": [], "largestKink": 0, "bendingEnergy": 0)"));
+}
+
+TEST(CombinedReport, isRefusedWhereItsInterpolatedRunsHaveTooManyPairsOfPoints) {
+    CombinedCurve curve; // 201 points that go right and 200 that come back from the last one of these
+    curve.method = CombinedCurve::Method::interpolation;
+    for (int i = 0; i <= 400; ++i)
+        curve.points.push_back({i <= 200 ? i : 400.5 - i, static_cast<double>(i)});
+    EXPECT_EQ(interpolatedPairs(curve), 201u * 201 + 200 * 200);
+    Document document;
+    auto& curves = document.sheets[*sheetNamed("combined")].curves;
+    const std::size_t most = limits::kInterpolatedPairs / interpolatedPairs(curve);
+    curves.assign(most, curve);
+    EXPECT_FALSE(reportLimitError(document));
+    curves.push_back(curve);
+    const std::optional<FileError> error = reportLimitError(document);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->place, "sheets.combined.curves");
+    EXPECT_EQ(error->problem, FileProblem::tooManyPairs);
+    EXPECT_FALSE(reportLimitError(document, sheetNamed("spline"))) << "another sheet is asked for";
+    for (Curve& c : curves)
+        std::get<CombinedCurve>(c).method = CombinedCurve::Method::pairs;
+    EXPECT_FALSE(reportLimitError(document));
 }
 
 TEST(CombinedReport, tellsPeopleEveryRun) {

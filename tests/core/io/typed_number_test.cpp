@@ -53,5 +53,10 @@ TEST(TypedNumber, refusesWhatIsNoSingleNumber) {
     EXPECT_FALSE(readTypedNumber(std::string_view("1\0", 2)));
 }
 
+TEST(TypedNumber, isOfBoundedLength) {
+    EXPECT_EQ(valueOf("1." + std::string(4094, '0')), 1);
+    EXPECT_FALSE(readTypedNumber("1." + std::string(4095, '0')));
+}
+
 } // namespace
 } // namespace kriva
