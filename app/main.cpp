@@ -85,5 +85,5 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     fonts.join();
     logToTerminal();
-    return kriva::runEditor(application, editor.files, editor.language);
+    return kriva::runEditor({editor.files, editor.language});
 }

@@ -41,12 +41,15 @@ std::optional<Document> openDocument(const QString& file) {
 ExitCode writeOutput(const QString& file, const QByteArray& bytes) {
     if (isStandardStream(file))
         return printOut(bytes);
+    const auto before = ui::rightsOf(file);
     const auto error = [&] {
         const Uninterrupted untilWritten;
         return ui::safeWrite(file, bytes);
     }();
     if (error)
         printError(errorText(*error, file));
+    else if (!ui::keptRights(before, file))
+        printError(ui::lostRightsText(file));
     return error ? ExitCode::notWritten : ExitCode::done;
 }
 

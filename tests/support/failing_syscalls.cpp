@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdarg>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -14,6 +15,7 @@ namespace {
 bool isArmed = false;
 Fault fault;
 int callCount = 0;
+bool areUnnamedRefused = false;
 std::string callNames;
 
 [[noreturn]] void die() {
@@ -71,6 +73,10 @@ void arm(const Fault& newFault) {
     isArmed = true;
 }
 
+void refuseUnnamedFiles() {
+    areUnnamedRefused = true;
+}
+
 std::string disarm() {
     isArmed = false;
     return callNames;
@@ -78,17 +84,58 @@ std::string disarm() {
 
 } // namespace kriva::test
 
+namespace {
+
 using kriva::test::guarded;
+
+int openFile(int folder, const char* path, int flags, int mode) {
+    if (kriva::test::areUnnamedRefused && (flags & O_TMPFILE) == O_TMPFILE) {
+        errno = EOPNOTSUPP;
+        return -1;
+    }
+    return static_cast<int>(guarded("open", [=](bool) { return ::syscall(SYS_openat, folder, path, flags, mode); }));
+}
+
+int modeOf(int flags, va_list arguments) {
+    return (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(arguments, int) : 0;
+}
+
+} // namespace
 
 // The C library's functions of the same names, seen before it by the dynamic linker.
 extern "C" {
 
-int open64(const char* path, int flags, ...) {
+#define KRIVA_OPEN(name)                                                                                               \
+    int name(const char* path, int flags, ...) {                                                                       \
+        va_list arguments;                                                                                             \
+        va_start(arguments, flags);                                                                                    \
+        const int mode = modeOf(flags, arguments);                                                                     \
+        va_end(arguments);                                                                                             \
+        return openFile(AT_FDCWD, path, flags, mode);                                                                  \
+    }
+KRIVA_OPEN(open)
+KRIVA_OPEN(open64)
+#undef KRIVA_OPEN
+
+int openat(int folder, const char* path, int flags, ...) {
     va_list arguments;
     va_start(arguments, flags);
-    const int mode = (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(arguments, int) : 0;
+    const int mode = modeOf(flags, arguments);
     va_end(arguments);
-    return static_cast<int>(guarded("open", [=](bool) { return ::syscall(SYS_openat, AT_FDCWD, path, flags, mode); }));
+    return openFile(folder, path, flags, mode);
+}
+
+int fstat(int file, struct stat* status) noexcept {
+    return static_cast<int>(guarded("fstat", [=](bool) { return ::syscall(SYS_fstat, file, status); }));
+}
+
+int fstatat(int folder, const char* path, struct stat* status, int flags) noexcept {
+    return static_cast<int>(
+        guarded("fstatat", [=](bool) { return ::syscall(SYS_newfstatat, folder, path, status, flags); }));
+}
+
+int fchown(int file, uid_t owner, gid_t group) noexcept {
+    return static_cast<int>(guarded("fchown", [=](bool) { return ::syscall(SYS_fchown, file, owner, group); }));
 }
 
 ssize_t write(int file, const void* bytes, size_t count) {
@@ -118,9 +165,9 @@ int linkat(int fromFolder, const char* from, int toFolder, const char* to, int f
         guarded("linkat", [=](bool) { return ::syscall(SYS_linkat, fromFolder, from, toFolder, to, flags); }));
 }
 
-int rename(const char* from, const char* to) noexcept {
+int renameat(int fromFolder, const char* from, int toFolder, const char* to) noexcept {
     return static_cast<int>(
-        guarded("rename", [=](bool) { return ::syscall(SYS_renameat, AT_FDCWD, from, AT_FDCWD, to); }));
+        guarded("rename", [=](bool) { return ::syscall(SYS_renameat, fromFolder, from, toFolder, to); }));
 }
 
 int close(int file) {

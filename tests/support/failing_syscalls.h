@@ -25,6 +25,9 @@ struct Fault {
 
 void arm(const Fault& fault);
 
+/// From now on there are no files without a name, as on some network file systems.
+void refuseUnnamedFiles();
+
 /// The names of the calls since arm(), in order, a blank after each.
 [[nodiscard]] std::string disarm();
 

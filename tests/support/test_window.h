@@ -52,8 +52,9 @@ struct TestWindow {
     ui::LanguageSwitch language;
     ui::DesktopScheme desktop;
     ui::ThemeSwitch theme{ui::ThemeChoice::Light, desktop};
+    ui::SharedFiles files;
     std::array<ui::SheetUi, kSheetCount> sheets = sheetCatalog();
-    ui::MainWindow window{{preferences, language, theme, sheets}};
+    ui::MainWindow window{{preferences, language, theme, files, sheets}};
 };
 
 /// Brings every panel of a tab to the front once: only then it is made.

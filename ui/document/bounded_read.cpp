@@ -23,6 +23,7 @@ constexpr qint64 kChunk = 256 << 10;
     case EPERM:
         return {ReadFault::Denied, systemError};
     case ENXIO: // a socket, or a device without a driver
+    case ELOOP: // a link where none may be, or links in a ring
         return {ReadFault::NotRegular, systemError};
     default:
         return {ReadFault::Failed, systemError};
@@ -31,9 +32,10 @@ constexpr qint64 kChunk = 256 << 10;
 
 } // namespace
 
-std::variant<QByteArray, ReadError> boundedRead(const QString& path, qint64 limit) {
+std::variant<QByteArray, ReadError> boundedRead(const QString& path, qint64 limit, ReadLinks links) {
     // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.
-    const int file = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    const int flags = O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | (links == ReadLinks::Refused ? O_NOFOLLOW : 0);
+    const int file = ::open(QFile::encodeName(path).constData(), flags);
     if (file < 0)
         return readError(errno);
     const auto closing = qScopeGuard([file] { ::close(file); });

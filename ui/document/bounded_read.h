@@ -24,8 +24,14 @@ struct ReadError {
 /// The largest file that is read at all: 64 MiB.
 inline constexpr qint64 kLargestFile = 64 << 20;
 
+enum class ReadLinks {
+    Followed,
+    Refused ///< A link is no regular file.
+};
+
 /// All bytes of the regular file at `path`; never waits for a pipe or a device, and never holds more than one byte
 /// above `limit`, however the file grows meanwhile.
-[[nodiscard]] std::variant<QByteArray, ReadError> boundedRead(const QString& path, qint64 limit = kLargestFile);
+[[nodiscard]] std::variant<QByteArray, ReadError> boundedRead(const QString& path, qint64 limit = kLargestFile,
+                                                              ReadLinks links = ReadLinks::Followed);
 
 } // namespace kriva::ui

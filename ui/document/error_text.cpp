@@ -17,6 +17,9 @@ class Errors {
     static QString xmlReason(const FileError& error);
     static QString fault(const ReadError& error, const QString& path);
     static QString fault(const WriteError& error, const QString& path);
+    static QString lostRights(const QString& path) {
+        return tr("%1: written, but the owner or the permissions of the file could not be kept").arg(path);
+    }
     static QString atLine(const FileError& error) { return tr("line %1, column %2").arg(error.line).arg(error.column); }
 
   private:
@@ -162,6 +165,10 @@ QString errorText(const OpenError& error, const QString& path) {
 
 QString errorText(const WriteError& error, const QString& path) {
     return Errors::fault(error, path);
+}
+
+QString lostRightsText(const QString& path) {
+    return Errors::lostRights(path);
 }
 
 } // namespace kriva::ui

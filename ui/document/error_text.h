@@ -14,4 +14,7 @@ namespace kriva::ui {
 [[nodiscard]] QString errorText(const OpenError& error, const QString& path);
 [[nodiscard]] QString errorText(const WriteError& error, const QString& path);
 
+/// One line about a file that was written, but could not be given the rights of the old one: keptRights().
+[[nodiscard]] QString lostRightsText(const QString& path);
+
 } // namespace kriva::ui

@@ -38,12 +38,17 @@ void OpenDocument::replace(Document document) {
 }
 
 bool OpenDocument::isModified() const {
-    return !sameContent(value(), saved_);
+    return !saved_ || !sameContent(value(), *saved_);
 }
 
 void OpenDocument::markSaved() {
     endGesture();
     saved_ = value();
+    tellModified();
+}
+
+void OpenDocument::markUnsaved() {
+    saved_.reset();
     tellModified();
 }
 

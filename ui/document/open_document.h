@@ -36,6 +36,8 @@ class OpenDocument : public QObject {
     void replace(Document document);
     [[nodiscard]] bool isModified() const;
     void markSaved();
+    /// The present value is in no file: it counts as modified until it is saved, whatever is undone.
+    void markUnsaved();
 
     // Steps. Each ends a running gesture first, and is refused (with a signal) where the value would be beyond the
     // limits of the model. A change to the present value is no step.
@@ -117,7 +119,7 @@ class OpenDocument : public QObject {
     void tellModified();
 
     SerialDocument present_;
-    Document saved_;
+    std::optional<Document> saved_ = Document(); ///< nothing where no file has what the document began with
     bool wasModified_ = false;
     std::array<QUndoStack*, kSheetCount> histories_;
     QUndoGroup group_;

@@ -1,21 +1,35 @@
 #include "ui/shell/document_session.h"
 
+#include "core/document/document_json.h"
 #include "ui/document/error_text.h"
+#include "ui/document/recovery/state_folder.h"
+#include "ui/document/sharing/content_hash.h"
+#include "ui/shell/document_questions.h"
 #include "ui/shell/examples.h"
 #include "ui/shell/preferences.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
-#include <QPushButton>
+
+#include <utility>
 
 namespace kriva::ui {
 
-DocumentSession::DocumentSession(OpenDocument& document, Preferences& preferences, QWidget* window)
+DocumentSession::DocumentSession(OpenDocument& document, Preferences& preferences, SharedFiles& shared, QWidget* window)
     : QObject(window)
     , document_(document)
     , preferences_(preferences)
-    , window_(window) {}
+    , shared_(shared)
+    , window_(window)
+    , recovery_(document, shared.recovery) {
+    connect(&shared.open, &OpenFiles::bringUpAsked, this, [this](const QObject* holder) {
+        if (holder == this)
+            bringUp();
+    });
+    connect(&recovery_, &Recovery::failed, this, [this](const WriteError& error) {
+        Q_EMIT told(tr("Unsaved changes cannot be kept for a recovery: %1").arg(errorText(error, stateFolder())));
+    });
+}
 
 QString DocumentSession::name() const {
     return path_.isEmpty() ? tr("Untitled") : QFileInfo(path_).fileName();
@@ -28,7 +42,7 @@ void DocumentSession::newDocument() {
 
 void DocumentSession::show(Document document) {
     document_.replace(std::move(document));
-    setPath({});
+    setFile({});
 }
 
 void DocumentSession::openExample(const QString& resource) {
@@ -39,49 +53,87 @@ void DocumentSession::openExample(const QString& resource) {
 }
 
 void DocumentSession::open() {
-    if (!mayClose())
-        return;
     const QString path = QFileDialog::getOpenFileName(window_, tr("Open"), QFileInfo(path_).path(),
                                                       tr("Documents and figures of Kriva (*.kriva *.svg)"));
     if (!path.isEmpty())
+        openInstead(path);
+}
+
+void DocumentSession::openInstead(const QString& path) {
+    if (!shared_.open.bringUp(path) && mayClose())
         openFile(path);
 }
 
 bool DocumentSession::openFile(const QString& path) {
-    std::variant<LoadedFile, OpenError> loaded = loadDocument(path);
+    if (shared_.open.bringUp(path))
+        return true;
+    const auto bytes = boundedRead(path);
+    std::variant<LoadedFile, OpenError> loaded = documentFrom(bytes);
     if (const OpenError* error = std::get_if<OpenError>(&loaded)) {
-        tell(tr("The file was not opened"), errorText(*error, path));
+        tellNotOpened(errorText(*error, path), window_);
         return false;
     }
     std::optional<Document> document = chosen(std::get<LoadedFile>(std::move(loaded)), path);
     if (!document)
         return false;
-    document_.replace(std::move(*document));
+    File file;
     // A figure keeps its document inside, but saving must not put a document in the figure's place.
-    const bool isDocument = path.endsWith(QLatin1String(".kriva"));
+    if (path.endsWith(QLatin1String(".kriva"))) {
+        file = {path, contentHash(std::get<QByteArray>(bytes)), claim(path)};
+        const auto answer =
+            file.claim ? OpenElsewhereAnswer::Anyway : askAboutOpenElsewhere(QFileInfo(path).fileName(), window_);
+        if (answer == OpenElsewhereAnswer::Cancel)
+            return false;
+        if (answer == OpenElsewhereAnswer::Copy)
+            file = {};
+    }
+    document_.replace(std::move(*document));
     preferences_.addRecentFile(path);
-    setPath(isDocument ? path : QString());
+    setFile(std::move(file));
+    return true;
+}
+
+bool DocumentSession::recover(FoundRecovery found) {
+    std::variant<LoadedFile, OpenError> loaded = loadRecovery(found);
+    if (const OpenError* error = std::get_if<OpenError>(&loaded)) {
+        tellNotOpened(errorText(*error, found.files.document()), window_);
+        return false;
+    }
+    document_.replace(std::get<LoadedFile>(std::move(loaded)).document);
+    if (found.note && !found.note->path.isEmpty())
+        setFile({found.note->path, found.note->fileHash, claim(found.note->path)});
+    else
+        setFile({});
+    recovery_.adopt(std::move(found));
+    document_.markUnsaved();
+    return true;
+}
+
+bool DocumentSession::reload() {
+    if (document_.isModified() && !askToReload(name(), window_))
+        return false;
+    const auto bytes = boundedRead(path_);
+    std::variant<LoadedFile, OpenError> loaded = documentFrom(bytes);
+    if (const OpenError* error = std::get_if<OpenError>(&loaded)) {
+        tellNotOpened(errorText(*error, path_), window_);
+        return false;
+    }
+    document_.replace(std::get<LoadedFile>(std::move(loaded)).document);
+    setFile({path_, contentHash(std::get<QByteArray>(bytes)), std::move(claim_)});
     return true;
 }
 
 std::optional<Document> DocumentSession::chosen(LoadedFile loaded, const QString& path) {
     if (!loaded.drawn)
         return std::move(loaded.document);
-    QMessageBox box(QMessageBox::Question, tr("An edited figure"),
-                    tr("The lines of “%1” were edited in another program: they are not those of the document inside "
-                       "any more.")
-                        .arg(QFileInfo(path).fileName()),
-                    QMessageBox::Cancel, window_);
-    box.setInformativeText(tr("Open the document as it was, or as it is drawn now?"));
-    const QAbstractButton* const document = box.addButton(tr("&Document"), QMessageBox::AcceptRole);
-    QPushButton* const drawing = box.addButton(tr("D&rawing"), QMessageBox::AcceptRole);
-    box.setDefaultButton(drawing);
-    box.exec();
-    if (box.clickedButton() == drawing)
+    switch (askAboutEditedFigure(QFileInfo(path).fileName(), window_)) {
+    case EditedFigureAnswer::Drawing:
         return std::move(loaded.drawn);
-    if (box.clickedButton() == document)
+    case EditedFigureAnswer::Document:
         return std::move(loaded.document);
-    return {};
+    default:
+        return {};
+    }
 }
 
 bool DocumentSession::save() {
@@ -98,41 +150,80 @@ bool DocumentSession::saveAs() {
 
 bool DocumentSession::saveTo(const QString& path) {
     document_.endGesture();
-    if (const std::optional<WriteError> error = saveDocument(path, document_.value())) {
-        tell(tr("The document was not saved"), errorText(*error, path));
+    if (const std::optional<bool> settled = settledOtherwise(path))
+        return *settled;
+    return write(path);
+}
+
+std::optional<bool> DocumentSession::settledOtherwise(const QString& path) {
+    const QString file = QFileInfo(path).fileName();
+    const bool isOwn = path == path_ || shared_.open.holderOf(path) == this;
+    OverwriteAnswer answer = OverwriteAnswer::Overwrite;
+    if (isOwn && watch_.look() == FileState::Changed)
+        answer = askToOverwriteChanged(file, window_);
+    else if (!(isOwn && claim_) && !claim(path))
+        answer = askToOverwriteOpen(file, window_);
+    switch (answer) {
+    case OverwriteAnswer::Overwrite:
+        return {};
+    case OverwriteAnswer::SaveAs:
+        return saveAs();
+    case OverwriteAnswer::Reload:
+        reload();
+        return false;
+    case OverwriteAnswer::Cancel:
         return false;
     }
+    return false;
+}
+
+bool DocumentSession::write(const QString& path) {
+    const std::optional<FileRights> before = rightsOf(path);
+    const QByteArray bytes = QByteArray::fromStdString(writeDocument(document_.value()));
+    if (const std::optional<WriteError> error = safeWrite(path, bytes))
+        return tellNotSaved(errorText(*error, path), window_) && saveAs();
     document_.markSaved();
     preferences_.addRecentFile(path);
-    setPath(path);
+    const bool isOwn = shared_.open.holderOf(path) == this;
+    setFile({path, contentHash(bytes), isOwn ? std::move(claim_) : claim(path)});
+    if (!keptRights(before, path))
+        Q_EMIT told(lostRightsText(path));
     return true;
 }
 
 bool DocumentSession::mayClose() {
     document_.endGesture();
-    if (!document_.isModified())
+    const bool isGone = watch_.state() == FileState::Gone;
+    if (recovery_.isKept() || (!document_.isModified() && !isGone))
         return true;
-    QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(name()),
-                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
-    box.setInformativeText(tr("Without saving they are lost."));
-    box.setDefaultButton(QMessageBox::Save);
-    switch (box.exec()) {
-    case QMessageBox::Save:
+    switch (document_.isModified() ? askAboutUnsaved(name(), window_) : askAboutGone(name(), window_)) {
+    case UnsavedAnswer::Save:
         return save();
-    case QMessageBox::Discard:
+    case UnsavedAnswer::Discard:
         return true;
     default:
         return false;
     }
 }
 
-void DocumentSession::setPath(const QString& path) {
-    path_ = path;
+DocumentSession::Claim DocumentSession::claim(const QString& path) {
+    auto claimed = shared_.open.claim(path, this);
+    Claim* mine = std::get_if<Claim>(&claimed);
+    return mine ? std::move(*mine) : nullptr;
+}
+
+void DocumentSession::setFile(File file) {
+    path_ = std::move(file.path);
+    claim_ = std::move(file.claim);
+    watch_.watch(path_, file.hash);
+    recovery_.setFile(path_.isEmpty() ? path_ : QFileInfo(path_).absoluteFilePath(), file.hash);
     Q_EMIT pathChanged();
 }
 
-void DocumentSession::tell(const QString& title, const QString& text) {
-    QMessageBox(QMessageBox::Critical, title, text, QMessageBox::Ok, window_).exec();
+void DocumentSession::bringUp() const {
+    window_->isMinimized() ? window_->showNormal() : window_->show();
+    window_->raise();
+    window_->activateWindow();
 }
 
 } // namespace kriva::ui

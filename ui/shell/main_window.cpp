@@ -9,6 +9,7 @@
 #include "ui/shell/document_session.h"
 #include "ui/shell/help/help.h"
 #include "ui/shell/language/qt_texts.h"
+#include "ui/shell/notice_bar.h"
 #include "ui/shell/preferences.h"
 #include "ui/shell/status_row.h"
 
@@ -16,6 +17,7 @@
 #include <QCoreApplication>
 #include <QShortcut>
 #include <QThread>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -33,7 +35,7 @@ int workerCount() {
 MainWindow::MainWindow(const Surroundings& surroundings)
     : surroundings_(surroundings)
     , actions_(new Actions(this))
-    , session_(new DocumentSession(document_, surroundings.preferences, this))
+    , session_(new DocumentSession(document_, surroundings.preferences, surroundings.files, this))
     , menus_(new Menus(*menuBar(), *addToolBar(QString()), *actions_))
     , status_(new StatusRow(this))
     , tabWidget_(new QTabWidget(this)) {
@@ -43,7 +45,13 @@ MainWindow::MainWindow(const Surroundings& surroundings)
         resize(1280, 800);
     setWindowIcon(applicationIcon());
     tabWidget_->setDocumentMode(true);
-    setCentralWidget(tabWidget_);
+    auto* centre = new QWidget(this);
+    auto* rows = new QVBoxLayout(centre);
+    rows->setContentsMargins({});
+    rows->setSpacing(0);
+    rows->addWidget(new NoticeBar(*session_, centre));
+    rows->addWidget(tabWidget_, 1);
+    setCentralWidget(centre);
     setStatusBar(status_);
     makeTabs(surroundings.sheets);
     connectActions();
@@ -107,10 +115,8 @@ void MainWindow::connectActions() {
     connect(actions_->save, &QAction::triggered, session_, &DocumentSession::save);
     connect(actions_->saveAs, &QAction::triggered, session_, &DocumentSession::saveAs);
     connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
-    connect(menus_, &Menus::recentFileChosen, session_, [this](const QString& path) {
-        if (session_->mayClose())
-            session_->openFile(path);
-    });
+    connect(menus_, &Menus::recentFileChosen, session_, &DocumentSession::openInstead);
+    connect(session_, &DocumentSession::told, status_, &StatusRow::tell);
     connect(menus_, &Menus::exampleChosen, session_, &DocumentSession::openExample);
     connect(menus_, &Menus::languageChosen, this, [this](Language language) {
         surroundings_.preferences.setLanguage(language);

@@ -14,6 +14,7 @@ class Menus;
 class Preferences;
 class StatusRow;
 class ThemeSwitch;
+struct SharedFiles;
 
 /// A window: one document, one tab for each sheet, menus and status bar.
 class MainWindow : public QMainWindow {
@@ -24,6 +25,7 @@ class MainWindow : public QMainWindow {
         Preferences& preferences;
         LanguageSwitch& language;
         ThemeSwitch& theme;
+        SharedFiles& files;
         std::span<const SheetUi> sheets; ///< in the order of the document's
     };
     explicit MainWindow(const Surroundings& surroundings);

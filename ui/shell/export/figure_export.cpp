@@ -111,10 +111,11 @@ void FigureExport::write(const SheetEditor& editor, const QString& path) {
     // What is called .pdf is one, whatever was chosen before.
     options.format = figureFormatOf(path).value_or(options.format);
     editor.document().setExported(editor.index(), options);
+    const std::optional<FileRights> before = rightsOf(path);
     if (!writeOrTell(figureFile(editor.documentOnView(), editor.index(), options), path, window_))
         return;
     paths_[editor.index()] = path;
-    Q_EMIT told(tr("Written: %1").arg(path));
+    Q_EMIT told(keptRights(before, path) ? tr("Written: %1").arg(path) : lostRightsText(path));
 }
 
 void FigureExport::copy(const SheetEditor& editor) const {

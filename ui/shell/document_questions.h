@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QString>
+
+class QWidget;
+
+/// What a person is asked, or told, about a document's file. File names are shown as they are written.
+namespace kriva::ui {
+
+enum class EditedFigureAnswer { Document, Drawing, Cancel };
+/// The lines of a figure are not those of the document inside.
+[[nodiscard]] EditedFigureAnswer askAboutEditedFigure(const QString& name, QWidget* window);
+
+enum class UnsavedAnswer { Save, Discard, Cancel };
+[[nodiscard]] UnsavedAnswer askAboutUnsaved(const QString& name, QWidget* window);
+/// Nothing was changed, but the file is not there any more.
+[[nodiscard]] UnsavedAnswer askAboutGone(const QString& name, QWidget* window);
+
+enum class OpenElsewhereAnswer { Copy, Anyway, Cancel };
+/// Another program has the file open that is to be opened.
+[[nodiscard]] OpenElsewhereAnswer askAboutOpenElsewhere(const QString& name, QWidget* window);
+
+enum class OverwriteAnswer { Overwrite, Reload, SaveAs, Cancel };
+/// Another window or program has the file open that is to be written. Never Reload.
+[[nodiscard]] OverwriteAnswer askToOverwriteOpen(const QString& name, QWidget* window);
+/// Another program wrote into the file that is to be written.
+[[nodiscard]] OverwriteAnswer askToOverwriteChanged(const QString& name, QWidget* window);
+
+/// Whether to give up what was changed here for what is in the file.
+[[nodiscard]] bool askToReload(const QString& name, QWidget* window);
+
+void tellNotOpened(const QString& sentence, QWidget* window);
+/// Whether to save under another name instead.
+[[nodiscard]] bool tellNotSaved(const QString& sentence, QWidget* window);
+
+} // namespace kriva::ui

@@ -1,0 +1,69 @@
+#include "ui/shell/notice_bar.h"
+
+#include "ui/shell/document_session.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace kriva::ui {
+namespace {
+
+constexpr int kMargin = 6; // px: a row that is seen, and takes little of the canvas
+
+} // namespace
+
+NoticeBar::NoticeBar(DocumentSession& session, QWidget* parent)
+    : QFrame(parent)
+    , session_(session)
+    , text_(new QLabel(this))
+    , action_(new QPushButton(this))
+    , leave_(new QPushButton(this)) {
+    setObjectName(QStringLiteral("notice"));
+    action_->setObjectName(QStringLiteral("act"));
+    leave_->setObjectName(QStringLiteral("leave"));
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::ToolTipBase);
+    text_->setForegroundRole(QPalette::ToolTipText);
+    text_->setTextFormat(Qt::PlainText);
+    text_->setWordWrap(true);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(2 * kMargin, kMargin, kMargin, kMargin);
+    layout->addWidget(text_, 1);
+    layout->addWidget(action_);
+    layout->addWidget(leave_);
+    hide();
+    connect(action_, &QPushButton::clicked, this, &NoticeBar::act);
+    connect(leave_, &QPushButton::clicked, this, &QWidget::hide);
+    connect(&session.fileWatch(), &FileWatch::changed, this, &NoticeBar::show);
+    connect(&session, &DocumentSession::pathChanged, this, &NoticeBar::retranslateUi);
+    retranslateUi();
+}
+
+void NoticeBar::show(FileState state) {
+    state_ = state;
+    retranslateUi();
+    setVisible(state != FileState::Same);
+}
+
+void NoticeBar::act() {
+    state_ == FileState::Gone ? session_.save() : session_.reload();
+}
+
+void NoticeBar::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    QFrame::changeEvent(event);
+}
+
+void NoticeBar::retranslateUi() {
+    const bool isGone = state_ == FileState::Gone;
+    text_->setText((isGone ? tr("The file “%1” was deleted or moved by another program.")
+                           : tr("Another program changed the file “%1”."))
+                       .arg(session_.name()));
+    action_->setText(isGone ? tr("Save again") : tr("Reload"));
+    leave_->setText(tr("Leave as it is"));
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,176 @@
+#include "ui/shell/recovery_dialog.h"
+
+#include "ui/shell/look/icons.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QEvent>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QScrollArea>
+
+namespace kriva::ui {
+namespace {
+
+constexpr int kIconSize = 64;
+constexpr int kMargin = 20;
+constexpr int kGap = 12;
+constexpr int kPlaceWidth = 400; // px: of most folders all is seen
+constexpr int kTallest = 380;    // px of rows; beyond, they scroll
+
+/// The folder as people write it, its middle left out where it is long; file names are never broken.
+[[nodiscard]] QString shownFolder(const QString& path, const QFontMetrics& metrics) {
+    QString folder = QFileInfo(path).path();
+    if (folder == QDir::homePath() || folder.startsWith(QDir::homePath() + QLatin1Char('/')))
+        folder.replace(0, QDir::homePath().size(), QStringLiteral("~"));
+    return metrics.elidedText(folder, Qt::ElideMiddle, kPlaceWidth);
+}
+
+[[nodiscard]] QLabel* plainLabel(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setTextFormat(Qt::PlainText); // names of files come from outside
+    return label;
+}
+
+void setBold(QLabel& label, qreal times = 1) {
+    QFont font = label.font();
+    font.setBold(true);
+    font.setPointSizeF(font.pointSizeF() * times);
+    label.setFont(font);
+}
+
+void add(QComboBox& choice, RecoveryChoice value) {
+    choice.addItem(QString(), static_cast<int>(value));
+}
+
+} // namespace
+
+RecoveryDialog::RecoveryDialog(std::span<const FoundRecovery> found, QWidget* parent)
+    : QDialog(parent)
+    , title_(plainLabel(this))
+    , text_(plainLabel(this))
+    , buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
+    setObjectName(QStringLiteral("recovery"));
+    setWindowIcon(applicationIcon());
+    setBold(*title_, 1.3);
+    text_->setWordWrap(true);
+    auto* sign = new QLabel(this);
+    sign->setPixmap(applicationIcon().pixmap(kIconSize, kIconSize));
+    auto* layout = new QGridLayout(this);
+    layout->setContentsMargins(kMargin, kMargin, kMargin, kGap);
+    layout->setHorizontalSpacing(kMargin);
+    layout->setVerticalSpacing(kGap);
+    layout->addWidget(sign, 0, 0, 3, 1, Qt::AlignTop);
+    layout->addWidget(title_, 0, 1);
+    layout->addWidget(text_, 1, 1);
+    layout->addWidget(makeRows(found), 2, 1);
+    layout->addWidget(buttons_, 3, 0, 1, 2);
+    layout->setRowStretch(2, 1);
+    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    retranslateUi();
+}
+
+QWidget* RecoveryDialog::makeRows(std::span<const FoundRecovery> found) {
+    auto* area = new QScrollArea(this);
+    auto* inside = new QWidget(area);
+    auto* layout = new QGridLayout(inside);
+    layout->setContentsMargins(kGap, kGap, kGap, kGap);
+    layout->setHorizontalSpacing(kMargin);
+    layout->setVerticalSpacing(2);
+    layout->setColumnStretch(0, 1);
+    int line = 0;
+    for (const FoundRecovery& one : found) {
+        const Row row = makeRow(one, inside);
+        if (line > 0)
+            layout->setRowMinimumHeight(line++, kGap);
+        layout->addWidget(row.choice, line, 1, row.damage ? 3 : 2, 1, Qt::AlignVCenter);
+        for (QLabel* label : {row.name, row.place, row.damage})
+            if (label)
+                layout->addWidget(label, line++, 0);
+        rows_.push_back(row);
+    }
+    layout->setRowStretch(line, 1);
+    area->setWidget(inside);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    inside->setAutoFillBackground(true);
+    inside->setBackgroundRole(QPalette::Base);
+    for (const Row& row : rows_)
+        retranslate(row);
+    area->setMinimumSize(inside->sizeHint().width() + 2 * kGap, std::min(inside->sizeHint().height() + 2, kTallest));
+    return area;
+}
+
+RecoveryDialog::Row RecoveryDialog::makeRow(const FoundRecovery& found, QWidget* parent) const {
+    Row row{&found, plainLabel(parent), plainLabel(parent), nullptr, new QComboBox(parent)};
+    setBold(*row.name);
+    row.place->setMinimumWidth(kPlaceWidth);
+    if (found.state != RecoveryState::Whole)
+        row.damage = plainLabel(parent);
+    if (found.state != RecoveryState::Unreadable)
+        add(*row.choice, RecoveryChoice::Recover);
+    add(*row.choice, RecoveryChoice::Later);
+    add(*row.choice, RecoveryChoice::Discard);
+    return row;
+}
+
+void RecoveryDialog::retranslate(const Row& row) {
+    const QString path = row.found->note ? row.found->note->path : QString();
+    const QString name = path.isEmpty() ? tr("Untitled") : QFileInfo(path).fileName();
+    const QString time = QLocale().toString(row.found->time, QLocale::ShortFormat);
+    row.name->setText(row.name->fontMetrics().elidedText(name, Qt::ElideMiddle, kPlaceWidth));
+    row.place->setText(
+        path.isEmpty()
+            ? tr("never saved · changed %1", "a document and a time").arg(time)
+            : tr("%1 · changed %2", "a folder and a time").arg(shownFolder(path, row.place->fontMetrics()), time));
+    if (row.damage)
+        row.damage->setText(row.found->state == RecoveryState::Unreadable
+                                ? tr("Damaged: it cannot be read any more.")
+                                : tr("Damaged: look closely at what is recovered."));
+    row.choice->setAccessibleName(tr("What to do with %1").arg(name));
+    for (int i = 0; i < row.choice->count(); ++i) {
+        switch (static_cast<RecoveryChoice>(row.choice->itemData(i).toInt())) {
+        case RecoveryChoice::Recover:
+            row.choice->setItemText(i, tr("Recover"));
+            break;
+        case RecoveryChoice::Later:
+            row.choice->setItemText(i, tr("Ask later"));
+            break;
+        case RecoveryChoice::Discard:
+            row.choice->setItemText(i, tr("Discard"));
+            break;
+        }
+    }
+}
+
+std::vector<RecoveryChoice> RecoveryDialog::choices() const {
+    std::vector<RecoveryChoice> choices;
+    for (const Row& row : rows_)
+        choices.push_back(result() == QDialog::Accepted ? static_cast<RecoveryChoice>(row.choice->currentData().toInt())
+                                                        : RecoveryChoice::Later);
+    return choices;
+}
+
+void RecoveryDialog::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    QDialog::changeEvent(event);
+}
+
+void RecoveryDialog::retranslateUi() {
+    setWindowTitle(tr("Recover unsaved work"));
+    title_->setText(tr("Kriva ended before this was saved"));
+    text_->setText(tr("What is recovered opens in a window of its own and is written to its file only when you save."));
+    buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Continue"));
+    buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Ask &later about all"));
+    for (const Row& row : rows_)
+        retranslate(row);
+}
+
+} // namespace kriva::ui
