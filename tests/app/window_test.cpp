@@ -1,4 +1,5 @@
 #include "core/io/svg/svg_writer.h"
+#include "tests/support/answers.h"
 #include "tests/support/test_window.h"
 #include "ui/document/safe_write.h"
 #include "ui/figures/caption_text.h"
@@ -6,10 +7,8 @@
 
 #include <gtest/gtest.h>
 #include <QFile>
-#include <QMessageBox>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTimer>
 
 namespace kriva::ui {
 namespace {
@@ -263,27 +262,7 @@ TEST_F(RemovalTest, forgetsThePointerThatLeft) {
     EXPECT_EQ(hint(), QString());
 }
 
-/// Answers the next message box.
-void answerWith(QMessageBox::StandardButton button) {
-    QTimer::singleShot(0, [button] {
-        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-        ASSERT_NE(box, nullptr);
-        box->button(button) ? box->button(button)->click() : box->reject();
-    });
-}
-
-/// Answers the next message box by the button with this text.
-void answerWith(const QString& text) {
-    QTimer::singleShot(0, [text] {
-        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-        ASSERT_NE(box, nullptr);
-        for (QAbstractButton* button : box->buttons())
-            if (button->text().remove(u'&') == text)
-                return button->click();
-        ADD_FAILURE() << "there is no button " << text.toStdString();
-        box->reject();
-    });
-}
+using test::answerWith;
 
 TEST(Window, asksWhetherToOpenTheDocumentOrTheDrawingOfAnEditedFigure) {
     const QTemporaryDir folder;
@@ -343,7 +322,7 @@ TEST(Window, asksBeforeChangesAreLost) {
 TEST(Window, staysModifiedAfterAFailedSave) {
     TestWindow window;
     window.shown(0).editor().addPoint({1, 1});
-    answerWith(QMessageBox::Ok);
+    answerWith(QMessageBox::Cancel);
     EXPECT_FALSE(window.window.session().saveTo(QStringLiteral("/nowhere/at/all.kriva")));
     EXPECT_TRUE(window.window.document().isModified());
 }

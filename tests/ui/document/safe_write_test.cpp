@@ -1,5 +1,4 @@
-#include "tests/support/failing_syscalls.h"
-#include "tests/support/save_versions.h"
+#include "tests/support/faulty_save.h"
 #include "ui/document/safe_write.h"
 
 #include <gtest/gtest.h>
@@ -62,6 +61,32 @@ TEST_F(SafeWrite, anExistingFileKeepsItsPermissions) {
     ::chmod(QFile::encodeName(in(u"a"_s)).constData(), 0640);
     EXPECT_EQ(safeWrite(in(u"a"_s), "new"), std::nullopt);
     EXPECT_EQ(modeOf(in(u"a"_s)), 0640U);
+}
+
+TEST_F(SafeWrite, aNameAsLongAsNamesCanBeIsWrittenAgainAndAgain) {
+    for (const int length : {1, 249, 250, 251, 254, 255}) {
+        const QString path = in(QString(length, u'n'));
+        for (const QByteArray& bytes : {"one", "two", "three"}) {
+            EXPECT_EQ(safeWrite(path, bytes), std::nullopt) << length;
+            EXPECT_EQ(bytesOf(path), bytes);
+        }
+    }
+    EXPECT_EQ(safeWrite(in(QString(256, u'n')), "new"), (WriteError{WriteFault::Failed, ENAMETOOLONG}));
+}
+
+TEST_F(SafeWrite, anExistingFileKeepsItsOwnerAndGroup) {
+    if (::getuid() != 0)
+        GTEST_SKIP() << "only root gives files away";
+    constexpr uid_t kSomebody = 1234;
+    constexpr gid_t kTheirGroup = 2345;
+    put(in(u"a"_s), "old");
+    const QByteArray name = QFile::encodeName(in(u"a"_s));
+    ASSERT_EQ(::chown(name.constData(), kSomebody, kTheirGroup), 0);
+    ASSERT_EQ(::chmod(name.constData(), 0664), 0);
+    const auto before = rightsOf(in(u"a"_s));
+    EXPECT_EQ(safeWrite(in(u"a"_s), "new"), std::nullopt);
+    EXPECT_EQ(rightsOf(in(u"a"_s)), before);
+    EXPECT_EQ(before, (FileRights{kSomebody, kTheirGroup, 0664}));
 }
 
 TEST_F(SafeWrite, aFileOfTheOwnerAloneIsReadableByNobodyElse) {
@@ -137,43 +162,41 @@ TEST_F(SafeWrite, aReadOnlyFolderOrFileIsDeniedAndTheOldFileStands) {
     EXPECT_EQ(names(), QStringList{u"a"_s});
 }
 
-/// A save of version 1 by a process of its own, hit by a fault.
-class FaultySave : public SafeWrite {
+TEST_F(SafeWrite, whatAnotherGroupMightIsNotGivenToOnesOwn) {
+    if (::getuid() != 0)
+        GTEST_SKIP() << "only root makes files of others";
+    put(in(u"a"_s), "old");
+    const QByteArray name = QFile::encodeName(in(u"a"_s));
+    ::chmod(QFile::encodeName(folder.path()).constData(), 0777);
+    ASSERT_EQ(::chown(name.constData(), 1234, 2345), 0);
+    ASSERT_EQ(::chmod(name.constData(), 0676), 0);
+    EXPECT_TRUE(holdsWithoutRoot([&] {
+        const auto before = rightsOf(in(u"a"_s));
+        return !safeWrite(in(u"a"_s), "new") && !keptRights(before, in(u"a"_s));
+    }));
+    EXPECT_EQ(bytesOf(in(u"a"_s)), "new");
+    EXPECT_EQ(modeOf(in(u"a"_s)), 0666U);
+}
+
+/// Saves that are hit by a fault.
+class FaultySave : public SafeWrite, public testing::WithParamInterface<QString> {
   protected:
-    struct Outcome {
-        bool wasKilled = false;
-        bool saidSaved = false;
-        QStringList calls;
-    };
-
-    Outcome save(int size, const Fault& fault) const {
-        QProcess process;
-        process.start(QStringLiteral(KRIVA_SAVE_ONCE),
-                      {path, QString::number(size), u"once"_s, QString::number(static_cast<int>(fault.kind)),
-                       QString::number(fault.call), QString::number(fault.error),
-                       QString::number(fault.isLasting ? 1 : 0)});
-        EXPECT_TRUE(process.waitForFinished());
-        const bool wasKilled = process.exitStatus() == QProcess::CrashExit;
-        EXPECT_TRUE(wasKilled || process.exitCode() < 2) << process.errorString().toStdString();
-        return {wasKilled, !wasKilled && process.exitCode() == 0,
-                QString::fromLatin1(process.readAllStandardOutput()).split(u' ', Qt::SkipEmptyParts)};
-    }
-
     /// Puts `old` there, or nothing if it is empty.
     void start(const QByteArray& old) const {
         QDir(folder.path()).removeRecursively();
         QDir().mkpath(folder.path());
-        if (!old.isEmpty())
+        if (!old.isEmpty()) {
             put(path, old);
+            ::chmod(QFile::encodeName(path).constData(), 0640); // to be kept
+        }
     }
 
     /// Saves under the fault in the place of `old` and looks at what is left. The exchange is the system call that
     /// puts the new file in the place of the old one.
     void tryFault(const QByteArray& old, int size, const Fault& fault, qsizetype exchange) {
-        SCOPED_TRACE(::testing::Message() << "size " << size << " kind " << static_cast<int>(fault.kind) << " call "
-                                          << fault.call << " errno " << fault.error << " lasting " << fault.isLasting);
+        SCOPED_TRACE(test::nameOf(fault, size));
         start(old);
-        const Outcome outcome = save(size, fault);
+        const test::SaveOutcome outcome = test::saveUnder(path, size, GetParam(), fault);
         const QByteArray left = bytesOf(path);
         const bool isNew = left == savedVersion(1, size);
         EXPECT_TRUE(isNew || left == old) << "neither old nor new";
@@ -184,51 +207,63 @@ class FaultySave : public SafeWrite {
         if (!outcome.wasKilled) {
             EXPECT_EQ(names(), left.isEmpty() ? QStringList() : QStringList{u"a"_s}) << "litter";
         }
+        if (!old.isEmpty()) {
+            EXPECT_EQ(modeOf(path) & ~0640U, 0U) << "open to more than before";
+        }
         ++faultCount;
     }
 
     /// Every fault in turn at every system call of a save that replaces `old`.
     void tryAllFaults(const QByteArray& old, int size) {
         start(old);
-        const QStringList calls = save(size, {}).calls;
-        const qsizetype exchange = calls.lastIndexOf(old.isEmpty() ? u"linkat"_s : u"rename"_s);
+        const QStringList calls = test::saveUnder(path, size, GetParam(), {}).calls;
+        const qsizetype exchange =
+            calls.lastIndexOf(old.isEmpty() && GetParam() == u"unnamed" ? u"linkat"_s : u"rename"_s);
         ASSERT_GE(exchange, 0);
         ASSERT_GE(calls.count(u"fsync"_s), 2) << "file and folder";
-        for (int call = 0; call < calls.size(); ++call) {
-            for (const int error : {ENOSPC, EIO, EDQUOT, EACCES}) {
-                tryFault(old, size, {FaultKind::Error, call, error, false}, exchange);
-                tryFault(old, size, {FaultKind::Error, call, error, true}, exchange);
-            }
-            for (const FaultKind kind : {FaultKind::KillBefore, FaultKind::KillAfter})
-                tryFault(old, size, {kind, call}, exchange);
-            if (calls[call] != u"write")
-                continue;
-            for (const FaultKind kind : {FaultKind::ShortWrite, FaultKind::ShortThenFull, FaultKind::KillHalfway})
-                tryFault(old, size, {kind, call, 0, kind == FaultKind::ShortWrite}, exchange);
-        }
+        ASSERT_EQ(calls.contains(u"fchmod"_s), !old.isEmpty());
+        for (const Fault& fault : test::allFaults(calls))
+            tryFault(old, size, fault, exchange);
     }
 
     const QString path = in(u"a"_s);
     int faultCount = 0;
 };
 
-TEST_F(FaultySave, leavesTheOldFileOrTheNewAndNeverClaimsWhatIsNot) {
-    for (const int size : kSizes)
-        tryAllFaults(savedVersion(0, size), size);
+TEST_P(FaultySave, leavesTheOldFileOrTheNewAndNeverClaimsWhatIsNot) {
     tryAllFaults({}, kSizes.front());
+    tryAllFaults(savedVersion(0, kSizes.front()), kSizes.front());
+    if (test::isLongRun() || GetParam() == u"unnamed")
+        for (const int size : {kSizes[1], kSizes[2]})
+            tryAllFaults(savedVersion(0, size), size);
     EXPECT_GE(faultCount, 250);
     RecordProperty("faults", faultCount);
 }
 
-TEST_F(FaultySave, aShortWriteIsContinued) {
-    const QStringList calls = save(kSizes[1], {}).calls;
+TEST_P(FaultySave, aShortWriteIsContinued) {
+    const QStringList calls = test::saveUnder(path, kSizes[1], GetParam(), {}).calls;
     const int firstWrite = static_cast<int>(calls.indexOf(u"write"_s));
-    EXPECT_TRUE(save(kSizes[1], {FaultKind::ShortWrite, firstWrite, 0, true}).saidSaved);
+    EXPECT_TRUE(test::saveUnder(path, kSizes[1], GetParam(), {FaultKind::ShortWrite, firstWrite, 0, true}).saidSaved);
     EXPECT_EQ(bytesOf(path), savedVersion(1, kSizes[1]));
 }
 
-TEST_F(FaultySave, aKillAtAnyMomentLosesNothingThatWasSaidToBeSaved) {
-    if (!qEnvironmentVariableIsSet("KRIVA_LONG_TESTS"))
+TEST_P(FaultySave, permissionsThatCannotBeSetAreLostToEverybodyElseAndSeen) {
+    start("old");
+    const auto before = rightsOf(path);
+    const QStringList calls = test::saveUnder(path, kSizes[0], GetParam(), {}).calls;
+    EXPECT_TRUE(keptRights(before, path));
+    const int call = static_cast<int>(calls.indexOf(u"fchmod"_s));
+    EXPECT_TRUE(test::saveUnder(path, kSizes[0], GetParam(), {FaultKind::Error, call, EPERM}).saidSaved);
+    EXPECT_FALSE(keptRights(before, path));
+    EXPECT_EQ(modeOf(path), 0600U);
+}
+
+INSTANTIATE_TEST_SUITE_P(ByWayOf, FaultySave, testing::Values(u"unnamed"_s, u"named"_s),
+                         [](const auto& info) { return info.param.toStdString(); });
+
+TEST_F(SafeWrite, aKillAtAnyMomentLosesNothingThatWasSaidToBeSaved) {
+    const QString path = in(u"a"_s);
+    if (!test::isLongRun())
         GTEST_SKIP() << "only in the long run";
     std::mt19937 random(20240229);
     for (int kill = 0; kill < 200; ++kill) {
