@@ -3,6 +3,7 @@
 #include "app/commands/interrupts.h"
 #include "ui/document/document_file.h"
 #include "ui/document/error_text.h"
+#include "ui/document/file_rights.h"
 
 #include <QCoreApplication>
 

@@ -58,7 +58,8 @@ class Hand : public QObject {
             print("saved");
         }
         if (++changes_ == kChangesBefore)
-            begin(*windows().front());
+            // From a turn of its own: a clock does not go on in a loop that it has called itself.
+            QTimer::singleShot(0, this, [this] { begin(*windows().front()); });
     }
 
     [[nodiscard]] bool isLooking() const {
@@ -120,7 +121,8 @@ class Hand : public QObject {
             print("begun");
         } else if (how_ == QLatin1String("busy")) {
             print("begun");
-            ::sleep(3600);
+            for (;;)
+                ::sleep(3600); // a signal wakes it up
         } else if (how_ == QLatin1String("dialog")) {
             QTimer::singleShot(0, &window, [] { print("begun"); });
             std::ignore = window.session().mayClose(); // and the clock goes on behind it

@@ -1,5 +1,7 @@
 #include "ui/document/safe_write.h"
 
+#include "ui/document/file_rights.h"
+
 #include <QFile>
 #include <QFileInfo>
 #include <QRandomGenerator>
@@ -97,32 +99,10 @@ struct Target {
     return target.old || target.access == WriteAccess::OwnerOnly ? kOwnerOnly : kUsual;
 }
 
-/// Gives a new file the rights of the old one, as far as this person may.
-void keepRights(int file, const FileRights& old) {
-    struct stat status = {};
-    if (::fstat(file, &status) != 0)
-        return;
-    const bool isOther = status.st_uid != old.owner || status.st_gid != old.group;
-    // Who may not give a file away may still give it to a group of their own.
-    if (isOther && ::fchown(file, old.owner, old.group) != 0 && ::fchown(file, static_cast<uid_t>(-1), old.group) == 0)
-        status.st_gid = old.group;
-    if (::fstat(file, &status) != 0)
-        return;
-    mode_t permissions = old.permissions;
-    if (status.st_gid != old.group) // what the old group might is not for another one
-        permissions &= ~static_cast<mode_t>(S_ISUID | S_ISGID | S_IRWXG) | ((permissions & S_IRWXO) << 3);
-    if (status.st_uid != old.owner)
-        permissions &= ~static_cast<mode_t>(S_ISUID);
-    if ((status.st_mode & kPermissions) != permissions)
-        ::fchmod(file, permissions); // refused, it stays the owner's alone
-}
-
 /// The file is its owner's alone, whatever mask there is.
 [[nodiscard]] std::optional<WriteError> closeToOthers(int file) {
-    struct stat status = {};
-    if (::fstat(file, &status) != 0)
-        return lastError();
-    if ((status.st_mode & kPermissions) != kOwnerOnly && ::fchmod(file, kOwnerOnly) != 0)
+    const auto rights = rightsOf(file);
+    if (!rights || (rights->permissions != kOwnerOnly && ::fchmod(file, kOwnerOnly) != 0))
         return lastError();
     return std::nullopt;
 }
@@ -145,7 +125,7 @@ void keepRights(int file, const FileRights& old) {
         if (const auto error = closeToOthers(file))
             return error;
     } else if (target.old) {
-        keepRights(file, *target.old);
+        takeOverRights(file, *target.old);
     }
     return writeAll(file, bytes);
 }
@@ -247,17 +227,6 @@ std::optional<WriteError> safeWrite(const QString& path, QByteArrayView bytes, W
     if (::fsync(*folder) != 0 && errno != EINVAL)
         return lastError();
     return std::nullopt;
-}
-
-std::optional<FileRights> rightsOf(const QString& path) {
-    struct stat status = {};
-    if (::stat(QFile::encodeName(path).constData(), &status) != 0)
-        return {};
-    return FileRights{status.st_uid, status.st_gid, status.st_mode & kPermissions};
-}
-
-bool keptRights(const std::optional<FileRights>& before, const QString& path) {
-    return !before || rightsOf(path) == before;
 }
 
 } // namespace kriva::ui

@@ -4,7 +4,6 @@
 #include <QString>
 
 #include <optional>
-#include <sys/types.h>
 
 namespace kriva::ui {
 
@@ -33,22 +32,8 @@ enum class WriteAccess {
 /// the disk after the exchange, the new one does already.
 ///
 /// Owner, group and permissions of an existing file are kept as far as the system lets this person; where it does not,
-/// the new file is open to fewer people than the old one, never to more, and rightsOf() tells them apart.
+/// the new file is open to fewer people than the old one, never to more: see keptRights() in file_rights.h.
 [[nodiscard]] std::optional<WriteError> safeWrite(const QString& path, QByteArrayView bytes,
                                                   WriteAccess access = WriteAccess::AsFound);
-
-/// Whose a file is, and who may do what with it.
-struct FileRights {
-    uid_t owner = 0;
-    gid_t group = 0;
-    mode_t permissions = 0;
-    bool operator==(const FileRights&) const = default;
-};
-
-/// Of the file behind links; nothing where there is none.
-[[nodiscard]] std::optional<FileRights> rightsOf(const QString& path);
-
-/// Whether a file has the rights that it had before it was written; a new one lost none.
-[[nodiscard]] bool keptRights(const std::optional<FileRights>& before, const QString& path);
 
 } // namespace kriva::ui

@@ -2,8 +2,10 @@
 
 #include "core/document/document_json.h"
 #include "ui/document/error_text.h"
+#include "ui/document/file_rights.h"
 #include "ui/document/recovery/state_folder.h"
 #include "ui/document/sharing/content_hash.h"
+#include "ui/shell/asked_document.h"
 #include "ui/shell/document_questions.h"
 #include "ui/shell/examples.h"
 #include "ui/shell/preferences.h"
@@ -67,19 +69,13 @@ void DocumentSession::openInstead(const QString& path) {
 bool DocumentSession::openFile(const QString& path) {
     if (shared_.open.bringUp(path))
         return true;
-    const auto bytes = boundedRead(path);
-    std::variant<LoadedFile, OpenError> loaded = documentFrom(bytes);
-    if (const OpenError* error = std::get_if<OpenError>(&loaded)) {
-        tellNotOpened(errorText(*error, path), window_);
-        return false;
-    }
-    std::optional<Document> document = chosen(std::get<LoadedFile>(std::move(loaded)), path);
-    if (!document)
+    std::optional<AskedDocument> asked = askedDocument(path, window_);
+    if (!asked)
         return false;
     File file;
     // A figure keeps its document inside, but saving must not put a document in the figure's place.
     if (path.endsWith(QLatin1String(".kriva"))) {
-        file = {path, contentHash(std::get<QByteArray>(bytes)), claim(path)};
+        file = {path, asked->hash, claim(path)};
         const auto answer =
             file.claim ? OpenElsewhereAnswer::Anyway : askAboutOpenElsewhere(QFileInfo(path).fileName(), window_);
         if (answer == OpenElsewhereAnswer::Cancel)
@@ -87,23 +83,22 @@ bool DocumentSession::openFile(const QString& path) {
         if (answer == OpenElsewhereAnswer::Copy)
             file = {};
     }
-    document_.replace(std::move(*document));
+    document_.replace(std::move(asked->document));
     preferences_.addRecentFile(path);
     setFile(std::move(file));
     return true;
 }
 
 bool DocumentSession::recover(FoundRecovery found) {
-    std::variant<LoadedFile, OpenError> loaded = loadRecovery(found);
-    if (const OpenError* error = std::get_if<OpenError>(&loaded)) {
-        tellNotOpened(errorText(*error, found.files.document()), window_);
+    std::optional<AskedDocument> asked = askedDocument(found.files.document(), window_);
+    if (!asked)
         return false;
-    }
-    document_.replace(std::get<LoadedFile>(std::move(loaded)).document);
-    if (found.note && !found.note->path.isEmpty())
+    document_.replace(std::move(asked->document));
+    setFile({});
+    if (found.note && !found.note->path.isEmpty()) {
         setFile({found.note->path, found.note->fileHash, claim(found.note->path)});
-    else
-        setFile({});
+        watch_.lookSoon();
+    }
     recovery_.adopt(std::move(found));
     document_.markUnsaved();
     return true;
@@ -112,28 +107,12 @@ bool DocumentSession::recover(FoundRecovery found) {
 bool DocumentSession::reload() {
     if (document_.isModified() && !askToReload(name(), window_))
         return false;
-    const auto bytes = boundedRead(path_);
-    std::variant<LoadedFile, OpenError> loaded = documentFrom(bytes);
-    if (const OpenError* error = std::get_if<OpenError>(&loaded)) {
-        tellNotOpened(errorText(*error, path_), window_);
+    std::optional<AskedDocument> asked = askedDocument(path_, window_);
+    if (!asked)
         return false;
-    }
-    document_.replace(std::get<LoadedFile>(std::move(loaded)).document);
-    setFile({path_, contentHash(std::get<QByteArray>(bytes)), std::move(claim_)});
+    document_.replace(std::move(asked->document));
+    setFile({path_, asked->hash, std::move(claim_)});
     return true;
-}
-
-std::optional<Document> DocumentSession::chosen(LoadedFile loaded, const QString& path) {
-    if (!loaded.drawn)
-        return std::move(loaded.document);
-    switch (askAboutEditedFigure(QFileInfo(path).fileName(), window_)) {
-    case EditedFigureAnswer::Drawing:
-        return std::move(loaded.drawn);
-    case EditedFigureAnswer::Document:
-        return std::move(loaded.document);
-    default:
-        return {};
-    }
 }
 
 bool DocumentSession::save() {

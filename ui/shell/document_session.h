@@ -72,8 +72,6 @@ class DocumentSession : public QObject {
         QByteArray hash; ///< of what is in it
         Claim claim;     ///< nothing where somebody else has it open as well
     };
-    /// Nothing where a person wants neither the document nor the drawing.
-    std::optional<Document> chosen(LoadedFile loaded, const QString& path);
     /// Nothing where it is somebody else's.
     [[nodiscard]] Claim claim(const QString& path);
     /// Asks where somebody else wrote into the file or has it open: nothing where it is to be written all the same,

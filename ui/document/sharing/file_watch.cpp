@@ -34,12 +34,15 @@ void FileWatch::watch(const QString& path, const QByteArray& hash) {
     pause_.stop();
     path_ = path.isEmpty() ? path : QFileInfo(path).absoluteFilePath();
     hash_ = hash;
-    stamp_.reset();
+    stamp_ = stampNow();
     if (std::exchange(toldHash_, hash) != hash)
         Q_EMIT changed(FileState::Same);
     follow();
-    if (!path_.isEmpty())
-        pause_.start(); // what happened since it was read
+}
+
+void FileWatch::lookSoon() {
+    stamp_.reset();
+    pause_.start();
 }
 
 void FileWatch::follow() {

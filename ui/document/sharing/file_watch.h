@@ -22,8 +22,10 @@ class FileWatch : public QObject {
   public:
     explicit FileWatch(QObject* parent = nullptr);
 
-    /// The file holds what has this contentHash(). An empty path: nothing to watch.
+    /// What was read from the file, or written to it, just now has this contentHash(). An empty path: nothing to watch.
     void watch(const QString& path, const QByteArray& hash);
+    /// It was longer ago: what the file holds now is told in a moment, where it differs.
+    void lookSoon();
     /// How it is right now, whatever was told.
     [[nodiscard]] FileState look() const;
     /// How it was when it was last told.
@@ -56,8 +58,8 @@ class FileWatch : public QObject {
     QTimer pause_;
     QString path_;
     QByteArray hash_;
-    std::optional<QByteArray> toldHash_; ///< nothing where it was gone
-    std::optional<Stamp> stamp_;         ///< of what was looked at last
+    std::optional<QByteArray> toldHash_ = QByteArray(); ///< nothing where it was gone
+    std::optional<Stamp> stamp_;                        ///< of what was looked at last
 };
 
 } // namespace kriva::ui

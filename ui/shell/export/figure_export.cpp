@@ -2,6 +2,7 @@
 
 #include "core/exchange/curve_svg.h"
 #include "ui/document/error_text.h"
+#include "ui/document/file_rights.h"
 #include "ui/figures/caption_text.h"
 #include "ui/figures/print_drawing.h"
 #include "ui/sheets/sheet_editor.h"

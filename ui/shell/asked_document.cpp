@@ -1,0 +1,27 @@
+#include "ui/shell/asked_document.h"
+
+#include "ui/document/error_text.h"
+#include "ui/document/sharing/content_hash.h"
+#include "ui/shell/document_questions.h"
+
+#include <QFileInfo>
+
+namespace kriva::ui {
+
+std::optional<AskedDocument> askedDocument(const QString& path, QWidget* window) {
+    const auto bytes = boundedRead(path);
+    std::variant<LoadedFile, OpenError> loaded = documentFrom(bytes);
+    if (const OpenError* error = std::get_if<OpenError>(&loaded)) {
+        tellNotOpened(errorText(*error, path), window);
+        return {};
+    }
+    LoadedFile& file = std::get<LoadedFile>(loaded);
+    const auto answer =
+        file.drawn ? askAboutEditedFigure(QFileInfo(path).fileName(), window) : EditedFigureAnswer::Document;
+    if (answer == EditedFigureAnswer::Cancel)
+        return {};
+    return AskedDocument{answer == EditedFigureAnswer::Drawing ? std::move(*file.drawn) : std::move(file.document),
+                         contentHash(std::get<QByteArray>(bytes))};
+}
+
+} // namespace kriva::ui
