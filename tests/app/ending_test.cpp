@@ -83,7 +83,7 @@ class EditedKriva {
 
 /// The number of the change after which it is so; nothing where it cannot be read.
 std::optional<int> changeOf(const FoundRecovery& found) {
-    const auto loaded = loadRecovery(found);
+    const auto loaded = documentFrom(readRecovery(found));
     const LoadedFile* file = std::get_if<LoadedFile>(&loaded);
     if (!file || found.state != RecoveryState::Whole)
         return {};

@@ -9,7 +9,11 @@
 namespace kriva::ui {
 
 std::optional<AskedDocument> askedDocument(const QString& path, QWidget* window) {
-    const auto bytes = boundedRead(path);
+    return askedDocument(boundedRead(path), path, window);
+}
+
+std::optional<AskedDocument> askedDocument(const std::variant<QByteArray, ReadError>& bytes, const QString& path,
+                                           QWidget* window) {
     std::variant<LoadedFile, OpenError> loaded = documentFrom(bytes);
     if (const OpenError* error = std::get_if<OpenError>(&loaded)) {
         tellNotOpened(errorText(*error, path), window);

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "core/document/document.h"
-
-#include <QByteArray>
-#include <QString>
+#include "ui/document/document_file.h"
 
 class QWidget;
 
@@ -14,8 +11,10 @@ struct AskedDocument {
     QByteArray hash; ///< contentHash() of the file
 };
 
-/// The document of a file. What is refused is told; where the lines of a figure were edited elsewhere, a person is
+/// The document of a file, or of what was read from it. What is refused is told; where the lines of a figure were edited elsewhere, a person is
 /// asked whether the document or the drawing is wanted. Nothing where it is neither.
 [[nodiscard]] std::optional<AskedDocument> askedDocument(const QString& path, QWidget* window);
+[[nodiscard]] std::optional<AskedDocument> askedDocument(const std::variant<QByteArray, ReadError>& bytes,
+                                                         const QString& path, QWidget* window);
 
 } // namespace kriva::ui

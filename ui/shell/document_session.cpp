@@ -90,7 +90,7 @@ bool DocumentSession::openFile(const QString& path) {
 }
 
 bool DocumentSession::recover(FoundRecovery found) {
-    std::optional<AskedDocument> asked = askedDocument(found.files.document(), window_);
+    std::optional<AskedDocument> asked = askedDocument(readRecovery(found), found.files.document(), window_);
     if (!asked)
         return false;
     document_.replace(std::move(asked->document));

@@ -28,7 +28,7 @@ constexpr qint64 kLargestNote = 64 << 10;
 
 /// Reads the work once, to see what is left of it.
 void lookAt(FoundRecovery& found) {
-    const auto bytes = readOwn(found.files.document(), kLargestFile);
+    const auto bytes = readRecovery(found);
     found.state = RecoveryState::Unreadable;
     if (const QByteArray* read = std::get_if<QByteArray>(&bytes))
         found.hash = contentHash(*read);
@@ -74,8 +74,8 @@ std::vector<FoundRecovery> takeRecoveries(const QString& folder) {
     return found;
 }
 
-std::variant<LoadedFile, OpenError> loadRecovery(const FoundRecovery& found) {
-    return documentFrom(readOwn(found.files.document(), kLargestFile));
+std::variant<QByteArray, ReadError> readRecovery(const FoundRecovery& found) {
+    return readOwn(found.files.document(), kLargestFile);
 }
 
 void discardRecovery(FoundRecovery found) {

@@ -29,7 +29,7 @@ struct FoundRecovery {
 [[nodiscard]] std::vector<FoundRecovery> takeRecoveries(const QString& folder);
 
 /// The work itself.
-[[nodiscard]] std::variant<LoadedFile, OpenError> loadRecovery(const FoundRecovery& found);
+[[nodiscard]] std::variant<QByteArray, ReadError> readRecovery(const FoundRecovery& found);
 
 /// Removes the work and gives it up.
 void discardRecovery(FoundRecovery found);

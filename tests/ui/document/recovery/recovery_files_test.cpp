@@ -68,7 +68,7 @@ TEST_F(RecoveryFilesTest, whatWasWrittenIsFoundAndIsTheOwnersAlone) {
     ASSERT_EQ(recoveries.size(), 1U);
     EXPECT_EQ(recoveries[0].state, RecoveryState::Whole);
     EXPECT_EQ(recoveries[0].note, noteOf(work));
-    EXPECT_EQ(std::get<LoadedFile>(loadRecovery(recoveries[0])).document, document);
+    EXPECT_EQ(std::get<LoadedFile>(documentFrom(readRecovery(recoveries[0]))).document, document);
     for (const QString& path : {files.document(), files.note(), files.lock()})
         EXPECT_EQ(modeOf(path), 0600U) << path.toStdString();
 }
@@ -171,7 +171,7 @@ class DamagedRecovery : public RecoveryFilesTest, public testing::WithParamInter
         ASSERT_EQ(recoveries.size(), 1U);
         const FoundRecovery& one = recoveries[0];
         EXPECT_NE(one.state, RecoveryState::Whole);
-        const bool isReadable = std::holds_alternative<LoadedFile>(loadRecovery(one));
+        const bool isReadable = std::holds_alternative<LoadedFile>(documentFrom(readRecovery(one)));
         EXPECT_EQ(one.state == RecoveryState::Damaged, isReadable);
         if (isNote()) {
             EXPECT_EQ(one.note, std::nullopt) << "it may name a wrong file";

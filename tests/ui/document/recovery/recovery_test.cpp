@@ -163,7 +163,7 @@ TEST_F(RecoveryTest, whatIsKeptOutlivesTheWindowAndIsFoundWithItsFile) {
     EXPECT_EQ(found[0].note->path, u"/home/a/arch.kriva"_s);
     EXPECT_EQ(found[0].note->fileHash, "hash of the file");
     EXPECT_LE(std::abs(found[0].time.secsTo(QDateTime::currentDateTime())), 3600);
-    EXPECT_EQ(std::get<LoadedFile>(loadRecovery(found[0])).document, document.value());
+    EXPECT_EQ(std::get<LoadedFile>(documentFrom(readRecovery(found[0]))).document, document.value());
 }
 
 TEST_F(RecoveryTest, whoGoesOnAfterAllKeepsNoMoreThanIsUnsavedInTheEnd) {
@@ -186,7 +186,7 @@ TEST_F(RecoveryTest, goesOnWithWhatWasFoundUnderTheSameName) {
     ASSERT_EQ(found.size(), 1U);
     const QStringList before = names();
     begin({1ms, 5ms});
-    document.replace(std::get<LoadedFile>(loadRecovery(found[0])).document);
+    document.replace(std::get<LoadedFile>(documentFrom(readRecovery(found[0]))).document);
     recovery->adopt(std::move(found[0]));
     document.markUnsaved();
     EXPECT_TRUE(document.isModified());
