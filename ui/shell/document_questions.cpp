@@ -12,7 +12,7 @@ namespace kriva::ui {
 namespace {
 
 class Questions {
-    Q_DECLARE_TR_FUNCTIONS(DocumentSession)
+    Q_DECLARE_TR_FUNCTIONS(DocumentQuestions)
 };
 
 /// A message box with answers of its own, each of them a value. Names of files come from outside: nothing in them is
