@@ -7,6 +7,7 @@
 #include "ui/document/error_text.h"
 #include "ui/figures/caption_text.h"
 #include "ui/panels/result_text.h"
+#include "ui/shell/language/plain_text.h"
 
 #include <QFileInfo>
 
@@ -21,7 +22,7 @@ constexpr int kDigits = 10;
 QString curveTitle(const Curve& curve, std::size_t index) {
     QString title = QStringLiteral("%1 %2").arg(ui::captionText(Caption::curve)).arg(index);
     if (!nameOf(curve).empty())
-        title += QStringLiteral(": ") + printable(QString::fromStdString(nameOf(curve)));
+        title += QStringLiteral(": ") + ui::printable(QString::fromStdString(nameOf(curve)));
     return title;
 }
 
@@ -57,7 +58,7 @@ std::variant<QString, FileError> sheetTable(const Sheet& sheet, SheetIndex index
 std::variant<QString, FileError> reportTable(const Document& document, std::optional<SheetIndex> only) {
     QStringList parts;
     if (!document.title.empty())
-        parts += printable(QString::fromStdString(document.title)) + QLatin1Char('\n');
+        parts += ui::printable(QString::fromStdString(document.title)) + QLatin1Char('\n');
     for (SheetIndex index = 0; index < kSheetCount; ++index) {
         if (only.value_or(index) != index || document.sheets[index].curves.empty())
             continue;

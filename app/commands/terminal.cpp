@@ -1,12 +1,11 @@
 #include "app/commands/terminal.h"
 
 #include "app/commands/progress.h"
+#include "ui/shell/language/plain_text.h"
 
 #include <QCoreApplication>
 #include <QFile>
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 
@@ -21,17 +20,6 @@ class Terminal {
 
 /// The sentence of endWithoutDisplay(): a message handler can be given nothing.
 QString sentenceWithoutDisplay; // NOLINT(cert-err58-cpp): an empty QString allocates nothing
-
-bool isBidirectional(char16_t c) {
-    constexpr std::array<char16_t, 3> kMarks{0x061c, 0x200e, 0x200f};
-    return std::find(kMarks.begin(), kMarks.end(), c) != kMarks.end() || (c >= 0x202a && c <= 0x202e) ||
-           (c >= 0x2066 && c <= 0x2069);
-}
-
-bool isPrintable(QChar c) {
-    const bool breaksLines = c.category() == QChar::Separator_Line || c.category() == QChar::Separator_Paragraph;
-    return c.category() != QChar::Other_Control && !breaksLines && !isBidirectional(c.unicode());
-}
 
 bool writeAll(const QByteArray& bytes, std::FILE* stream) {
     const auto size = static_cast<std::size_t>(bytes.size());
@@ -51,20 +39,9 @@ void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
 
 } // namespace
 
-QString printable(const QString& text) {
-    QString result;
-    for (const QChar c : text) {
-        if (isPrintable(c))
-            result += c;
-        else
-            result += QStringLiteral("\\u%1").arg(c.unicode(), 4, 16, QLatin1Char('0'));
-    }
-    return result;
-}
-
 void printError(const QString& line) {
     constexpr qsizetype kLongestLine = 1000;
-    const QString whole = QStringLiteral("kriva: ") + printable(line);
+    const QString whole = QStringLiteral("kriva: ") + ui::printable(line);
     const QString cut = whole.size() > kLongestLine ? whole.first(kLongestLine - 1) + QChar(u'…') : whole;
     eraseProgress();
     // Where stderr itself is gone there is nobody left to tell.

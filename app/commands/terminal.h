@@ -6,11 +6,7 @@ namespace kriva::app {
 
 enum class ExitCode { done = 0, failure = 1, usage = 2, refused = 3, notWritten = 4 };
 
-/// Text from outside as it may stand on a terminal: control and bidirectional characters are written as \uXXXX, so that
-/// no name of a file can forge a line or turn one around.
-[[nodiscard]] QString printable(const QString& text);
-
-/// One line on stderr, printable, of at most 1,000 characters.
+/// One line on stderr, printable(), of at most 1,000 characters.
 void printError(const QString& line);
 
 /// All bytes of stdin, at most as many as a file may have.

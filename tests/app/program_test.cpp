@@ -111,10 +111,5 @@ TEST_F(Program, saysThatTheEditorNeedsADisplay) {
                   "kriva: the editor needs a display; export and report do without one");
 }
 
-TEST(Printable, keepsLettersAndEscapesWhatMovesTheCursor) {
-    EXPECT_EQ(printable(QStringLiteral("крива č 🙂")), QStringLiteral("крива č 🙂"));
-    EXPECT_EQ(printable(QStringLiteral("a\tb\u0085\u2028\u2067")), QStringLiteral("a\\u0009b\\u0085\\u2028\\u2067"));
-}
-
 } // namespace
 } // namespace kriva::app

@@ -7,12 +7,12 @@
 #include "ui/figures/print_drawing.h"
 #include "ui/sheets/sheet_editor.h"
 #include "ui/shell/export/export_dialog.h"
+#include "ui/shell/message_box.h"
 
 #include <QClipboard>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QPrinter>
 #include <QPrintPreviewDialog>
@@ -25,9 +25,7 @@ namespace kriva::ui {
 namespace {
 
 void tellFailure(const QString& sentence, QWidget* window) {
-    QMessageBox(QMessageBox::Critical, FigureExport::tr("The figure was not written"), sentence, QMessageBox::Ok,
-                window)
-        .exec();
+    showError({FigureExport::tr("The figure was not written"), sentence, {}}, window);
 }
 
 /// Whether the file is there now; what went wrong is told.

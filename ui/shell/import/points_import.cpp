@@ -5,10 +5,10 @@
 #include "ui/exchange/import_text.h"
 #include "ui/sheets/sheet_editor.h"
 #include "ui/shell/import/import_dialog.h"
+#include "ui/shell/message_box.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>
-#include <QMessageBox>
 
 namespace kriva::ui {
 namespace {
@@ -29,7 +29,7 @@ bool importPoints(SheetEditor& editor, QWidget* window) {
     if (path.isEmpty())
         return false;
     const auto refuse = [window](const QString& sentence) {
-        QMessageBox(QMessageBox::Critical, PointsImport::failure(), sentence, QMessageBox::Ok, window).exec();
+        showError({PointsImport::failure(), sentence, {}}, window);
         return false;
     };
     const auto bytes = boundedRead(path);
