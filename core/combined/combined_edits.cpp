@@ -70,12 +70,19 @@ bool isWithin(const CombinedCurve& curve, double limit) {
 }
 
 std::size_t mostPoints(const CombinedCurve& curve) {
+    return interpolationLimitError(curve) ? limits::kControlPoints : limits::kPointsInCurve;
+}
+
+std::optional<FileError> interpolationLimitError(const CombinedCurve& curve) {
     if (curve.method != CombinedCurve::Method::interpolation)
-        return limits::kPointsInCurve;
-    const std::vector<MonotoneRun> runs = monotoneRuns(curve.points);
-    const bool isTooLong =
-        std::ranges::any_of(runs, [](const MonotoneRun& run) { return run.size() > limits::kControlPoints; });
-    return isTooLong ? limits::kControlPoints : limits::kPointsInCurve;
+        return {};
+    std::size_t longest = 0;
+    for (const MonotoneRun& run : monotoneRuns(curve.points))
+        longest = std::max(longest, run.size());
+    if (longest <= limits::kControlPoints)
+        return {};
+    return errorOfFile(FileProblem::tooManyPointsInRun,
+                       {static_cast<double>(limits::kControlPoints), static_cast<double>(longest)});
 }
 
 CombinedCurve withGripsMoved(const CombinedCurve& curve, std::span<const GripId> ids, Vector by) {

@@ -3,6 +3,7 @@
 #include "core/combined/combined_curve.h"
 #include "core/document/editing/edited.h"
 #include "core/document/editing/grip.h"
+#include "core/document/file_error.h"
 #include "core/document/view/frame_place.h"
 #include "core/figure/figure.h"
 
@@ -30,6 +31,9 @@ namespace kriva {
 }
 /// The most points that this curve may have. Under interpolation it has too many where one run has.
 [[nodiscard]] std::size_t mostPoints(const CombinedCurve& curve);
+
+/// "tooManyPointsInRun" where a run of an interpolation is too long, at the longest one.
+[[nodiscard]] std::optional<FileError> interpolationLimitError(const CombinedCurve& curve);
 
 /// Whether all its coordinates, those of corrections too, are at most `limit` in absolute value.
 [[nodiscard]] bool isWithin(const CombinedCurve& curve, double limit);

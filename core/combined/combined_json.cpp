@@ -24,8 +24,8 @@ std::string_view nameOf(Method method) {
 
 /// What depends on the points: only a complete curve promises it.
 void checkPoints(const JsonObject& object, const CombinedCurve& curve) {
-    if (const std::size_t most = mostPoints(curve); curve.points.size() > most)
-        object.require("points").refuse(FileProblem::tooMany, {static_cast<double>(most)});
+    if (const std::optional<FileError> error = interpolationLimitError(curve))
+        object.require("points").refuse(error->problem, error->numbers);
 }
 
 void readCorrections(const JsonNode& node, CombinedCurve& curve) {

@@ -1,6 +1,7 @@
 #include "core/document/document.h"
 
 #include "core/document/limits.h"
+#include "core/document/text/utf8.h"
 
 #include <algorithm>
 #include <utility>
@@ -79,8 +80,8 @@ const std::string& nameOf(const Curve& curve) {
     return std::visit([](const auto& c) -> const std::string& { return c.name; }, curve);
 }
 
-Curve renamed(Curve curve, std::string name) {
-    std::visit([&](auto& c) { c.name = std::move(name); }, curve);
+Curve renamed(Curve curve, std::string_view name) {
+    std::visit([&](auto& c) { c.name = asUtf8(name); }, curve);
     return curve;
 }
 

@@ -53,7 +53,8 @@ template <class C>
 
 // What every kind of curve can do, for those that do not care about the kind. See elevation_edits.h for each.
 [[nodiscard]] const std::string& nameOf(const Curve& curve);
-[[nodiscard]] Curve renamed(Curve curve, std::string name);
+/// Any text may be the name: what is no character becomes U+FFFD, so that the document can be read again.
+[[nodiscard]] Curve renamed(Curve curve, std::string_view name);
 [[nodiscard]] const CurveView& viewOf(const Curve& curve);
 [[nodiscard]] Curve withView(Curve curve, CurveView view);
 [[nodiscard]] const CurveStyle& styleOf(const Curve& curve);

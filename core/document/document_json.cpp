@@ -42,8 +42,8 @@ void readSheet(const JsonNode& node, SheetIndex index, Sheet& sheet) {
         readView(*view, sheet.view, layerNames(index));
     const int lastCurve = std::max(0, static_cast<int>(sheet.curves.size()) - 1);
     sheet.view.activeCurve = std::min(sheet.view.activeCurve, lastCurve);
-    if (std::optional<FileError> error = sheetLimitError(sheet, index))
-        throw Refused{std::move(*error)};
+    if (std::optional<FileError> error = sheetLimitError(sheet))
+        object.require("curves").refuse(error->problem, error->numbers);
 }
 
 Document readChecked(const JsonNode& root) {

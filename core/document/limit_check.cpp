@@ -21,34 +21,52 @@ struct Totals {
     }
 };
 
-std::optional<FileError> errorOf(const Totals& totals, SheetIndex index) {
-    if (totals.curves > limits::kCurvesInSheet)
-        return tooManyCurves(index, limits::kCurvesInSheet);
+std::optional<FileError> pointLimitError(const Curve& curve) {
+    return std::visit(
+        [](const auto& c) -> std::optional<FileError> {
+            if (pointCount(c) <= mostPoints(c))
+                return {};
+            // Some sheets limit less than the curve as a whole.
+            if constexpr (requires { interpolationLimitError(c); })
+                if (std::optional<FileError> error = interpolationLimitError(c))
+                    return error;
+            return errorOfFile(FileProblem::tooManyPointsInCurve,
+                               {static_cast<double>(mostPoints(c)), static_cast<double>(pointCount(c))});
+        },
+        curve);
+}
+
+std::optional<FileError> errorOf(const Totals& totals) {
+    if (std::optional<FileError> error = curveCountError(totals.curves))
+        return error;
     if (totals.points > limits::kPointsInSheet)
-        return tooManyCurves(index, limits::kPointsInSheet);
+        return errorOfFile(FileProblem::tooManyPoints, {static_cast<double>(limits::kPointsInSheet)});
     if (totals.derivedPoints > limits::kDerivedPointsInSheet)
-        return tooManyCurves(index, limits::kDerivedPointsInSheet);
+        return errorOfFile(FileProblem::tooManyDerivedPoints, {static_cast<double>(limits::kDerivedPointsInSheet)});
     return {};
 }
 
 } // namespace
 
-FileError tooManyCurves(SheetIndex sheet, std::size_t limit) {
-    FileError error;
-    error.problem = FileProblem::tooMany;
-    error.place = std::string("sheets.").append(sheetName(sheet)).append(".curves");
-    error.numbers = {static_cast<double>(limit)};
-    return error;
+std::optional<FileError> curveCountError(std::size_t curves) {
+    if (curves <= limits::kCurvesInSheet)
+        return {};
+    return errorOfFile(FileProblem::tooManyCurves,
+                       {static_cast<double>(limits::kCurvesInSheet), static_cast<double>(curves)});
 }
 
-std::optional<FileError> sheetLimitError(const Sheet& sheet, SheetIndex index) {
+std::optional<FileError> sheetLimitError(const Sheet& sheet) {
     Totals totals;
     for (const Curve& curve : sheet.curves)
         totals.add(curve);
-    return errorOf(totals, index);
+    return errorOf(totals);
 }
 
-std::optional<FileError> interpolationLimitError(const Sheet& sheet, SheetIndex index) {
+std::string placeOfCurves(SheetIndex sheet) {
+    return std::string("sheets.").append(sheetName(sheet)).append(".curves");
+}
+
+std::optional<FileError> interpolatedPairsError(const Sheet& sheet, SheetIndex index) {
     std::size_t pairs = 0;
     for (const Curve& curve : sheet.curves)
         pairs += std::visit(
@@ -61,27 +79,22 @@ std::optional<FileError> interpolationLimitError(const Sheet& sheet, SheetIndex 
             curve);
     if (pairs <= limits::kInterpolatedPairs)
         return {};
-    FileError error = tooManyCurves(index, limits::kInterpolatedPairs);
-    error.problem = FileProblem::tooManyPairs;
+    FileError error = errorOfFile(FileProblem::tooManyPairs, {static_cast<double>(limits::kInterpolatedPairs)});
+    error.place = placeOfCurves(index);
     return error;
 }
 
-std::optional<FileError> limitErrorWith(const Sheet& sheet, SheetIndex index, std::optional<std::size_t> replaced,
-                                        const Curve& curve) {
-    if (pointCount(curve) > mostPoints(curve))
-        return tooManyCurves(index, mostPoints(curve));
-    if (!isWithin(curve, limits::kNumber)) {
-        FileError error = tooManyCurves(index, 0);
-        error.problem = FileProblem::numberOutOfRange;
-        error.numbers = {-limits::kNumber, limits::kNumber};
+std::optional<FileError> limitErrorWith(const Sheet& sheet, std::optional<std::size_t> replaced, const Curve& curve) {
+    if (std::optional<FileError> error = pointLimitError(curve))
         return error;
-    }
+    if (!isWithin(curve, limits::kNumber))
+        return errorOfFile(FileProblem::coordinatesOutOfRange, {-limits::kNumber, limits::kNumber});
     Totals totals;
     for (std::size_t i = 0; i < sheet.curves.size(); ++i)
         if (i != replaced)
             totals.add(sheet.curves[i]);
     totals.add(curve);
-    return errorOf(totals, index);
+    return errorOf(totals);
 }
 
 } // namespace kriva

@@ -21,13 +21,14 @@ inline constexpr int kSplineDegreeHigh = 5;
 inline constexpr int kFitDegreeLow = 1;
 inline constexpr int kFitDegreeHigh = 9;
 inline constexpr std::size_t kReportedSegments = 20'000;
-inline constexpr std::size_t kPasses = 1'000'000;  ///< in the crossings and overlaps of a sheet
+inline constexpr std::size_t kPasses = 1'000'000;   ///< in the crossings and overlaps of a sheet
 inline constexpr std::uint64_t kSteps = 20'000'000; ///< of the search for them
 /// Of points in the interpolated runs of a sheet that is reported or drawn into a file: one takes some 4 microseconds.
 inline constexpr std::size_t kInterpolatedPairs = 1'000'000;
 inline constexpr int kXmlNesting = 256;
 inline constexpr int kXmlElements = 1'000'000;
 inline constexpr int kXmlAttributes = 1'000; ///< in one tag
-inline constexpr int kSvgUses = 16;          ///< of an SVG file, one inside another
+inline constexpr int kSvgUseNesting = 32;    ///< of an SVG file, one `use` inside another
+inline constexpr int kSvgUses = 10'000;      ///< of an SVG file, each time that one is drawn
 
 } // namespace kriva::limits

@@ -32,6 +32,13 @@ bool isReported(SheetIndex sheet, std::optional<SheetIndex> only) {
     return !only || *only == sheet;
 }
 
+FileError tooManySegments(SheetIndex sheet, std::size_t segments) {
+    FileError error = errorOfFile(FileProblem::tooManySegments,
+                                  {static_cast<double>(limits::kReportedSegments), static_cast<double>(segments)});
+    error.place = placeOfCurves(sheet);
+    return error;
+}
+
 } // namespace
 
 std::variant<std::string, FileError> reportJson(const Document& document, std::string_view file,
@@ -61,8 +68,8 @@ std::optional<FileError> reportLimitError(const Document& document, std::optiona
         for (const Curve& curve : document.sheets[index].curves)
             segments += std::visit([](const auto& c) { return reportedSegments(c); }, curve);
         if (isReported(index, only) && segments > limits::kReportedSegments)
-            return tooManyCurves(index, limits::kReportedSegments);
-        if (std::optional<FileError> error = interpolationLimitError(document.sheets[index], index);
+            return tooManySegments(index, segments);
+        if (std::optional<FileError> error = interpolatedPairsError(document.sheets[index], index);
             error && isReported(index, only))
             return error;
     }

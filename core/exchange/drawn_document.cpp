@@ -160,7 +160,7 @@ std::optional<Document> drawnDocument(std::string_view svg, const Document& insi
     Document document = inside;
     Sheet& sheet = document.sheets[drawn->sheet];
     sheet.curves = std::move(*curves);
-    if (sheet.curves == inside.sheets[drawn->sheet].curves || sheetLimitError(sheet, drawn->sheet))
+    if (sheet.curves == inside.sheets[drawn->sheet].curves || sheetLimitError(sheet))
         return {};
     const auto last = static_cast<int>(sheet.curves.size()) - 1;
     sheet.view.activeCurve = std::clamp(sheet.view.activeCurve, 0, std::max(0, last));

@@ -21,7 +21,7 @@ Fragment readChecked(const JsonNode& root) {
     const SheetIndex sheet = readSheetName(object.require("sheet"));
     fragment.curve = emptyCurve(sheet);
     std::visit([&](auto& curve) { readCurve(object.require("curve"), curve); }, fragment.curve);
-    if (std::optional<FileError> error = sheetLimitError(Sheet{{fragment.curve}, {}}, sheet))
+    if (std::optional<FileError> error = sheetLimitError(Sheet{{fragment.curve}, {}}))
         throw Refused{std::move(*error)};
     return fragment;
 }

@@ -12,8 +12,8 @@ struct Placing {
     friend constexpr bool operator==(const Placing&, const Placing&) = default;
 };
 
-/// A curve of the sheet's kind for each path, with its name. Refused beyond the limits of the model, at the place of
-/// the curve ("curves[3]") or of the sheet.
+/// A curve of the sheet's kind for each path, with its name. Refused beyond the limits of the model: of a curve, with
+/// its number and its name, or of the sheet.
 [[nodiscard]] std::variant<std::vector<Curve>, FileError> importedCurves(std::span<const ImportedPath> paths,
                                                                          SheetIndex sheet, const Placing& placing = {});
 

@@ -2,7 +2,7 @@
 
 #include "core/document/limits.h"
 #include "core/io/typed_number.h"
-#include "core/io/utf8.h"
+#include "core/document/text/utf8.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "core/io/typed_number.h"
 
-#include "core/io/utf8.h"
+#include "core/document/text/utf8.h"
 
 #include <charconv>
 #include <string>

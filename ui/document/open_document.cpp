@@ -81,7 +81,7 @@ bool OpenDocument::divide(SheetIndex sheet, Serial serial, Curve first, Curve se
         return false;
     Sheet divided = this->sheet(sheet);
     divided.curves[static_cast<std::size_t>(*index)] = first;
-    if (!isWithinLimits(sheet, divided, {}, second))
+    if (!isWithinLimits(divided, {}, second))
         return false;
     push(sheet,
          exchange(sheet, {{serial, PlacedCurve{std::move(first), *index}},
@@ -94,11 +94,11 @@ bool OpenDocument::divide(SheetIndex sheet, Serial serial, Curve first, Curve se
 bool OpenDocument::addAll(SheetIndex sheet, std::vector<Curve> curves, const StepLabel& label) {
     endGesture();
     for (const Curve& curve : curves)
-        if (!isWithinLimits(sheet, {}, {}, curve))
+        if (!isWithinLimits({}, {}, curve))
             return false;
     Sheet together = this->sheet(sheet);
     together.curves.insert(together.curves.end(), curves.begin(), curves.end());
-    if (const std::optional<FileError> error = sheetLimitError(together, sheet)) {
+    if (const std::optional<FileError> error = sheetLimitError(together)) {
         Q_EMIT refused(*error);
         return false;
     }
@@ -134,7 +134,7 @@ void OpenDocument::beginGesture(SheetIndex sheet, Serial serial, const StepLabel
 std::optional<Serial> OpenDocument::beginGestureWithNew(SheetIndex sheet, int index, Curve curve,
                                                         const StepLabel& label) {
     endGesture();
-    if (!isWithinLimits(sheet, this->sheet(sheet), {}, curve))
+    if (!isWithinLimits(this->sheet(sheet), {}, curve))
         return {};
     const Serial serial = present_.newSerial();
     gesture_ = Gesture{sheet, serial, label, curve, true};
@@ -145,7 +145,7 @@ std::optional<Serial> OpenDocument::beginGestureWithNew(SheetIndex sheet, int in
 
 void OpenDocument::preview(Curve curve) {
     if (gesture_ && curve != *find(gesture_->sheet, gesture_->serial) &&
-        isWithinLimits(gesture_->sheet, sheet(gesture_->sheet), indexOf(gesture_->sheet, gesture_->serial), curve))
+        isWithinLimits(sheet(gesture_->sheet), indexOf(gesture_->sheet, gesture_->serial), curve))
         put(gesture_->sheet, gesture_->serial, std::move(curve));
 }
 
@@ -222,10 +222,9 @@ std::vector<CurveExchange> OpenDocument::exchange(SheetIndex sheet, std::vector<
     return others;
 }
 
-bool OpenDocument::isWithinLimits(SheetIndex sheet, const Sheet& present, std::optional<int> replacedIndex,
-                                  const Curve& curve) {
+bool OpenDocument::isWithinLimits(const Sheet& present, std::optional<int> replacedIndex, const Curve& curve) {
     const auto replaced = replacedIndex ? std::optional(static_cast<std::size_t>(*replacedIndex)) : std::nullopt;
-    const std::optional<FileError> error = limitErrorWith(present, sheet, replaced, curve);
+    const std::optional<FileError> error = limitErrorWith(present, replaced, curve);
     if (error)
         Q_EMIT refused(*error);
     return !error;

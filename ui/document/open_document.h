@@ -114,7 +114,7 @@ class OpenDocument : public QObject {
     std::vector<CurveExchange> exchange(SheetIndex sheet, std::vector<CurveExchange> others);
     void push(SheetIndex sheet, std::vector<CurveExchange> others, const StepLabel& label);
     /// Whether it may stand in a sheet with these curves, in place of one of them or besides; tells where not.
-    bool isWithinLimits(SheetIndex sheet, const Sheet& present, std::optional<int> replacedIndex, const Curve& curve);
+    bool isWithinLimits(const Sheet& present, std::optional<int> replacedIndex, const Curve& curve);
     void put(SheetIndex sheet, Serial serial, Curve curve);
     void tellModified();
 

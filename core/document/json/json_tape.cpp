@@ -68,6 +68,12 @@ Outline outlineOf(std::string_view text) {
     return outline;
 }
 
+FileError tooDeep(std::string_view text, std::size_t byte) {
+    FileError error = errorAtByte(FileProblem::nestedTooDeep, text, byte);
+    error.numbers = {limits::kNesting};
+    return error;
+}
+
 /// Receives nlohmann's events and lays them on the tape.
 class TapeBuilder {
   public:
@@ -179,7 +185,7 @@ std::variant<JsonTape, FileError> parseJson(std::string_view text) {
         return errorAtByte(FileProblem::notJson, text, nul);
     const Outline outline = outlineOf(text);
     if (outline.tooDeepAt != std::string_view::npos)
-        return errorAtByte(FileProblem::nestedTooDeep, text, outline.tooDeepAt);
+        return tooDeep(text, outline.tooDeepAt);
     JsonTape tape;
     // Whatever a text that is no JSON says: an entry takes at least two bytes, itself and what divides it from the
     // next.

@@ -1,9 +1,21 @@
 #include "core/document/json/json_writer.h"
 
+#include "core/document/text/utf8.h"
+
 #include <charconv>
 #include <cmath>
 
 namespace kriva {
+namespace {
+
+void appendEscape(std::string& to, char32_t c) {
+    constexpr char kHex[] = "0123456789abcdef";
+    to += "\\u";
+    for (const int shift : {12, 8, 4, 0})
+        to += kHex[c >> shift & 15];
+}
+
+} // namespace
 
 JsonWriter& JsonWriter::open(char bracket) {
     separate();
@@ -82,18 +94,16 @@ JsonWriter& JsonWriter::value(bool isTrue) {
 JsonWriter& JsonWriter::value(std::string_view text) {
     separate();
     text_ += '"';
-    for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            text_ += '\\';
-            text_ += c;
-        } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-            constexpr char kHex[] = "0123456789abcdef";
-            text_ += "\\u00";
-            text_ += kHex[c >> 4];
-            text_ += kHex[c & 15];
-        } else
-            text_ += c;
-    }
+    forEachCharacter(text, [&](std::optional<char32_t> c, std::string_view bytes) {
+        if (!c || *c == 0)
+            text_ += kReplacementCharacter;
+        else if (*c == '"' || *c == '\\')
+            text_.append("\\").append(bytes);
+        else if (isUnprintable(*c))
+            appendEscape(text_, *c);
+        else
+            text_ += bytes;
+    });
     text_ += '"';
     return *this;
 }

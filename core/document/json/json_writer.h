@@ -29,6 +29,8 @@ class JsonWriter {
     JsonWriter& value(double number);
     JsonWriter& value(int number);
     JsonWriter& value(bool isTrue);
+    /// What isUnprintable() is written as \uXXXX. What no reader takes, broken UTF-8 and NUL, becomes U+FFFD: whatever
+    /// goes wrong before, a document that was written can be read again.
     JsonWriter& value(std::string_view text);
     JsonWriter& value(const char* text) { return value(std::string_view(text)); }
     JsonWriter& value(Point point);

@@ -40,24 +40,28 @@ std::string textOf(const pugi::xml_node& element) {
 } // namespace
 
 std::variant<Document, FileError> readDocumentFromSvg(std::string_view svg) {
-    pugi::xml_document xml;
-    if (std::optional<FileError> error = openSvg(svg, xml))
+    ParsedSvg parsed;
+    if (std::optional<FileError> error = openSvg(svg, parsed))
         return std::move(*error);
-    const pugi::xml_node element = ownElement(xml.document_element(), kSvgDocument);
+    const pugi::xml_node element = ownElement(parsed.xml.document_element(), kSvgDocument);
     if (!element)
         return errorOfFile(FileProblem::noDocumentInside);
     std::variant<Document, FileError> document = readDocument(textOf(element));
     // A line of the JSON says nothing about the file; that of its element does.
-    if (FileError* error = std::get_if<FileError>(&document); error && error->line > 0)
-        return errorAtByte(error->problem, svg, static_cast<std::size_t>(element.offset_debug()));
+    if (FileError* error = std::get_if<FileError>(&document)) {
+        const FileError inFile = errorAt(error->problem, parsed, element);
+        error->line = inFile.line;
+        error->column = inFile.column;
+        error->isInFigure = true;
+    }
     return document;
 }
 
 std::optional<DrawnSheet> readDrawnSheetFromSvg(std::string_view svg) {
-    pugi::xml_document xml;
-    if (openSvg(svg, xml))
+    ParsedSvg parsed;
+    if (openSvg(svg, parsed))
         return {};
-    return readDrawnSheet(textOf(ownElement(xml.document_element(), kSvgDrawing)));
+    return readDrawnSheet(textOf(ownElement(parsed.xml.document_element(), kSvgDrawing)));
 }
 
 } // namespace kriva

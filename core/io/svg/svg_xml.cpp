@@ -1,20 +1,37 @@
 #include "core/io/svg/svg_xml.h"
 
 #include "core/document/limits.h"
+#include "core/io/svg/xml_characters.h"
 #include "core/io/svg/xml_outline.h"
 
 namespace kriva {
+namespace {
 
-std::optional<FileError> openSvg(std::string_view svg, pugi::xml_document& xml) {
+FileError errorAtParsedByte(FileProblem problem, const ParsedSvg& parsed, std::ptrdiff_t offset) {
+    const auto byte = static_cast<std::size_t>(offset);
+    return errorAtByte(problem, parsed.text, parsed.repaired.empty() ? byte : byteBeforeRepair(parsed.text, byte));
+}
+
+} // namespace
+
+std::optional<FileError> openSvg(std::string_view svg, ParsedSvg& parsed) {
     if (svg.size() > limits::kFileBytes)
         return errorOfFile(FileProblem::tooLarge, {static_cast<double>(limits::kFileBytes)});
-    if (std::optional<FileError> error = xmlLimitError(svg))
+    if (std::optional<FileError> error = xmlError(svg))
         return error;
-    const pugi::xml_parse_result parsed =
-        xml.load_buffer(svg.data(), svg.size(), pugi::parse_default, pugi::encoding_utf8);
-    if (!parsed)
-        return errorAtByte(FileProblem::notXml, svg, static_cast<std::size_t>(parsed.offset));
+    parsed.text = svg;
+    if (hasBrokenCharacters(svg))
+        parsed.repaired = withoutBrokenCharacters(svg);
+    const std::string_view read = parsed.repaired.empty() ? svg : parsed.repaired;
+    const pugi::xml_parse_result result =
+        parsed.xml.load_buffer(read.data(), read.size(), pugi::parse_default, pugi::encoding_utf8);
+    if (!result)
+        return errorAtParsedByte(FileProblem::notXml, parsed, result.offset);
     return {};
+}
+
+FileError errorAt(FileProblem problem, const ParsedSvg& parsed, const pugi::xml_node& element) {
+    return errorAtParsedByte(problem, parsed, element.offset_debug());
 }
 
 QualifiedName nameOf(const pugi::xml_node& node) {

@@ -6,9 +6,10 @@
 
 namespace kriva {
 
-/// Why an XML text is beyond the limits of what is parsed: nested too deep, too many elements or attributes, or a
-/// document type with an internal subset. Nothing where it is within; whether it is well-formed is not looked at.
-/// Linear, without memory of its own, so that no hostile text ever reaches the parser.
-[[nodiscard]] std::optional<FileError> xmlLimitError(std::string_view xml);
+/// Why an XML text is not parsed: it is not well-formed (XML 1.0, without namespaces), it says that it is UTF-8 and is
+/// not, it has a document type with an internal subset, or it is nested too deep, with too many elements or attributes.
+/// Bytes and references that are no character are no reason, see xmlCharacters(). Linear but for the attributes of one
+/// tag, without memory of its own but for these, so that no hostile text ever reaches the parser.
+[[nodiscard]] std::optional<FileError> xmlError(std::string_view xml);
 
 } // namespace kriva

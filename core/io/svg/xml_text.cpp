@@ -1,11 +1,9 @@
 #include "core/io/svg/xml_text.h"
 
-#include "core/io/utf8.h"
+#include "core/document/text/utf8.h"
 
 namespace kriva {
 namespace {
-
-constexpr std::string_view kReplacement = "\xEF\xBF\xBD"; // U+FFFD
 
 /// Control characters of both blocks, and what XML 1.0 (section 2.2) leaves out.
 bool isForbidden(char32_t c) {
@@ -48,7 +46,7 @@ std::string xmlText(std::string_view text) {
     result.reserve(text.size());
     forEachCharacter(text, [&](std::optional<char32_t> c, std::string_view bytes) {
         if (!c || isForbidden(*c))
-            result += kReplacement;
+            result += kReplacementCharacter;
         else
             appendEscaped(result, bytes);
     });

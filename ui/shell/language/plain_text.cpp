@@ -1,24 +1,8 @@
 #include "ui/shell/language/plain_text.h"
 
-#include <algorithm>
-#include <array>
+#include "core/document/text/utf8.h"
 
 namespace kriva::ui {
-namespace {
-
-bool isBidirectional(char16_t c) {
-    constexpr std::array<char16_t, 3> kMarks{0x061c, 0x200e, 0x200f};
-    return std::find(kMarks.begin(), kMarks.end(), c) != kMarks.end() || (c >= 0x202a && c <= 0x202e) ||
-           (c >= 0x2066 && c <= 0x2069);
-}
-
-bool isPrintable(QChar c) {
-    const bool breaksLines = c.category() == QChar::Separator_Line || c.category() == QChar::Separator_Paragraph;
-    return c.category() != QChar::Other_Control && !breaksLines && !isBidirectional(c.unicode()) && !c.isSurrogate();
-}
-
-} // namespace
-
 QString printable(const QString& text) {
     QString result;
     result.reserve(text.size());
@@ -27,13 +11,26 @@ QString printable(const QString& text) {
         if (c.isHighSurrogate() && i + 1 < text.size() && text[i + 1].isLowSurrogate()) {
             result += c;
             result += text[++i];
-        } else if (isPrintable(c)) {
-            result += c;
-        } else {
+        } else if (c.isSurrogate() || isUnprintable(c.unicode())) {
             result += QStringLiteral("\\u%1").arg(c.unicode(), 4, 16, QLatin1Char('0'));
+        } else {
+            result += c;
         }
     }
     return result;
+}
+
+QString wellFormed(QString text) {
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        if (!text[i].isSurrogate())
+            continue;
+        const bool isWhole = text[i].isHighSurrogate() && i + 1 < text.size() && text[i + 1].isLowSurrogate();
+        if (isWhole)
+            ++i;
+        else
+            text[i] = QChar::ReplacementCharacter;
+    }
+    return text;
 }
 
 QString toolTipOf(const QString& text) {

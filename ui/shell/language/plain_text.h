@@ -8,8 +8,11 @@ namespace kriva::ui {
 /// halves of characters are written as \uXXXX, so that no name of a file can forge a line or turn one around.
 [[nodiscard]] QString printable(const QString& text);
 
-/// The same for tool tips, which Qt reads as HTML as soon as they look like it: the text comes back as HTML that shows
-/// it letter by letter. Empty for an empty one, which has no tool tip.
+/// Text from outside as it may go into a document: halves of characters, which no UTF-8 has, become U+FFFD.
+[[nodiscard]] QString wellFormed(QString text);
+
+/// What printable() makes of a text, for tool tips, which Qt reads as HTML as soon as they look like it: the text comes
+/// back as HTML that shows it letter by letter. Empty for an empty one, which has no tool tip.
 [[nodiscard]] QString toolTipOf(const QString& text);
 
 /// The same for the title of a window, where Qt replaces "[*]" by the sign of a modified document.

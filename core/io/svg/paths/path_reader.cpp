@@ -23,7 +23,7 @@ class PathReader {
             if (!command())
                 return errorAtByte(FileProblem::notPathData, data_, scanner_.position());
             if (subpaths_.pieces() > limits::kPointsInSheet)
-                return errorOfFile(FileProblem::tooMany, {static_cast<double>(limits::kPointsInSheet)});
+                return errorOfFile(FileProblem::tooManyPoints, {static_cast<double>(limits::kPointsInSheet)});
         }
         return std::move(subpaths_).take();
     }

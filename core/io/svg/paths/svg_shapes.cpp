@@ -171,4 +171,19 @@ std::variant<std::vector<Path>, AttributeFault> subpathsOf(const pugi::xml_node&
     return std::move(subpaths).take();
 }
 
+std::string_view farthestAttribute(const pugi::xml_node& element, const SvgViewport& viewport) {
+    constexpr std::array<const char*, 13> kLengths{"x",  "y", "width", "height", "rx", "ry", "cx",
+                                                   "cy", "r", "x1",    "y1",     "x2", "y2"};
+    const std::string_view name = nameOf(element).local;
+    if (name == "path")
+        return "d";
+    if (name == "polyline" || name == "polygon")
+        return "points";
+    const double whole = std::hypot(viewport.width, viewport.height);
+    const auto size = [&](const char* length) {
+        return std::abs(readLength(element.attribute(length).value(), whole).value_or(0));
+    };
+    return *std::ranges::max_element(kLengths, {}, size);
+}
+
 } // namespace kriva

@@ -28,4 +28,7 @@ struct AttributeFault {
 [[nodiscard]] std::variant<std::vector<Path>, AttributeFault> subpathsOf(const pugi::xml_node& element,
                                                                          const SvgViewport& viewport);
 
+/// The attribute of such an element that leads farthest from its origin.
+[[nodiscard]] std::string_view farthestAttribute(const pugi::xml_node& element, const SvgViewport& viewport);
+
 } // namespace kriva

@@ -1,5 +1,5 @@
 #include "core/io/svg/xml_text.h"
-#include "core/io/utf8.h"
+#include "core/document/text/utf8.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

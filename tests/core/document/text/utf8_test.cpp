@@ -1,4 +1,4 @@
-#include "core/io/utf8.h"
+#include "core/document/text/utf8.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
-#include "core/io/utf8.h"
+#include "core/document/text/utf8.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 
@@ -47,10 +48,30 @@ Utf8Character firstCharacter(std::string_view text) {
         codePoint = codePoint << 6 | (byte(i) & 0x3fu);
     }
     constexpr char32_t kSmallest[] = {0x80, 0x800, 0x10000}; // of 2, 3 and 4 bytes
-    const bool isSurrogate = codePoint >= 0xd800 && codePoint < 0xe000;
-    if (codePoint < kSmallest[size - 2] || codePoint > 0x10ffff || isSurrogate)
+    if (codePoint >= 0xd800 && codePoint < 0xe000)
+        return {std::nullopt, text.substr(0, size)};
+    if (codePoint < kSmallest[size - 2] || codePoint > 0x10ffff)
         return broken;
     return {codePoint, text.substr(0, size)};
+}
+
+bool isUtf8(std::string_view text) {
+    while (!text.empty()) {
+        const Utf8Character character = firstCharacter(text);
+        if (!character.codePoint)
+            return false;
+        text.remove_prefix(character.bytes.size());
+    }
+    return true;
+}
+
+std::string asUtf8(std::string_view text) {
+    std::string result;
+    result.reserve(text.size());
+    forEachCharacter(text, [&](std::optional<char32_t> c, std::string_view bytes) {
+        result += c && *c != 0 ? bytes : kReplacementCharacter;
+    });
+    return result;
 }
 
 std::string_view withoutOuterBlanks(std::string_view text) {
@@ -67,6 +88,14 @@ std::string_view withoutOuterBlanks(std::string_view text) {
         text.remove_suffix(last.bytes.size());
     }
     return text;
+}
+
+bool isUnprintable(char32_t character) {
+    constexpr std::array<char32_t, 3> kMarks{0x061c, 0x200e, 0x200f};
+    const bool isControl = character < 0x20 || (character >= 0x7f && character < 0xa0);
+    const bool endsLine = character == 0x2028 || character == 0x2029;
+    const bool turnsLine = (character >= 0x202a && character <= 0x202e) || (character >= 0x2066 && character <= 0x2069);
+    return isControl || endsLine || turnsLine || std::ranges::find(kMarks, character) != kMarks.end();
 }
 
 } // namespace kriva
