@@ -49,6 +49,18 @@ TEST_F(ImportDialogTest, showsThoseChosenAtTheirPlace) {
     EXPECT_EQ(shown().figure, drawingOf(document, kSpline, textSource()).figure);
 }
 
+TEST_F(ImportDialogTest, tellsTheCurveThatIsTooLongByItsPlaceInTheList) {
+    const Path tooMany{Points(300), {}, false};
+    ImportDialog dialog({{"Arch", kArch}, {"", kLine}, {"<b>Leaf</b>", tooMany}}, kElevation);
+    dialog.show();
+    test::named<QListWidget>(dialog, "Curves").item(0)->setCheckState(Qt::Unchecked);
+    const auto labels = dialog.findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->text() ==
+               QStringLiteral("curve 3, “<b>Leaf</b>”: this curve takes at most 201 points, and would have 300");
+    }));
+}
+
 TEST_F(ImportDialogTest, importsNothingWhereNothingIsChosenOrItIsBeyondTheLimits) {
     auto& list = test::named<QListWidget>(dialog_, "Curves");
     list.item(0)->setCheckState(Qt::Unchecked);
@@ -59,7 +71,7 @@ TEST_F(ImportDialogTest, importsNothingWhereNothingIsChosenOrItIsBeyondTheLimits
     EXPECT_FALSE(tooLong.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled());
     const auto labels = tooLong.findChildren<QLabel*>();
     EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-        return label->text() == QStringLiteral("curves[0]: more than 201 is too many");
+        return label->text() == QStringLiteral("curve 1: this curve takes at most 201 points, and would have 300");
     }));
 }
 

@@ -46,6 +46,12 @@ TEST_F(ImportCommand, scalesAndMoves) {
     EXPECT_EQ(std::get<CombinedCurve>(document("out.kriva").sheets[3].curves[0]).points, (Points{{12, 3}, {16, 7}}));
 }
 
+TEST_F(ImportCommand, namesTheFileAndTheLimitWhereItHasTooManyPaths) {
+    write("a.svg", "<svg><path d='" + QByteArray("M0 0v1").repeated(1001) + "'/></svg>");
+    expectOneLine(run("import a.svg -o out.kriva --sheet spline"), ExitCode::refused,
+                  "kriva: a.svg: a sheet takes at most 1000 curves, and these are 1001");
+}
+
 TEST_F(ImportCommand, readsAndWritesTheStandardStreams) {
     write("a.csv", "1 2\n3 4\n");
     const QStringList line = QStringLiteral("import - -o - --sheet elevation").split(QLatin1Char(' '));

@@ -89,6 +89,15 @@ TEST_F(Program, keepsItsLinesShortAndHarmless) {
     expectOneLine(outcome, ExitCode::refused, "kriva: a\\u000ab\\u202e: there is no such file");
 }
 
+TEST_F(Program, reportsNoCharacterThatMovesACursorOrTurnsALine) {
+    write("a.kriva", R"({"format":"kriva","version":1,"sheets":{"spline":{"curves":[
+        {"name":"\u001b[31m\u202eabc\u2066\u0085\u009b","knots":[{"at":[0,0]},{"at":[1,1]}]}]}}})");
+    const QByteArray json = run("report a.kriva --format json").out;
+    EXPECT_TRUE(json.contains(R"("name": "\u001b[31m\u202eabc\u2066\u0085\u009b")")) << json.toStdString();
+    const QByteArray table = run("report a.kriva").out;
+    EXPECT_TRUE(table.contains(R"(\u001b[31m\u202eabc\u2066\u0085\u009b)")) << table.toStdString();
+}
+
 TEST_F(Program, refusesPipesFoldersAndDevices) {
     ASSERT_EQ(mkfifo(QFile::encodeName(path(QStringLiteral("pipe"))).constData(), 0600), 0);
     expectOneLine(run("report pipe"), ExitCode::refused, "kriva: pipe: this is no regular file");

@@ -32,9 +32,13 @@ class PictureTrap {
     }
 
     [[nodiscard]] QString html() const { return QStringLiteral("<img src=\"%1\">").arg(QFile::decodeName(path_)); }
-    /// The same where no quote may stand.
+    /// The same as a cell of a table and in XML, where no quote may stand.
     [[nodiscard]] QString htmlWithoutQuotes() const {
         return QStringLiteral("<img src=%1>").arg(QFile::decodeName(path_));
+    }
+    /// The same as the name of a file, where no slash may stand.
+    [[nodiscard]] QString htmlWithoutSlashes() const {
+        return htmlWithoutQuotes().replace(u'/', QLatin1String("&#47;"));
     }
     /// Whether the FIFO has been opened since it was made.
     [[nodiscard]] bool wasOpened() const { return wasOpened_ || hasReader(); }

@@ -9,6 +9,13 @@
 namespace kriva::ui {
 namespace {
 
+/// Names come from files, which may have them as long as they like.
+QString shortened(const QString& text) {
+    constexpr qsizetype kLongest = 200;
+    constexpr qsizetype kKept = kLongest / 2 - 1; // at either end
+    return text.size() <= kLongest ? text : text.first(kKept) + QChar(u'…') + text.last(kKept);
+}
+
 class Errors {
     Q_DECLARE_TR_FUNCTIONS(Errors)
   public:
@@ -17,10 +24,11 @@ class Errors {
     static QString xmlReason(const FileError& error);
     static QString fault(const ReadError& error, const QString& path);
     static QString fault(const WriteError& error, const QString& path);
+    static QString limitReason(const FileError& error);
+    static QString place(const FileError& error);
     static QString lostRights(const QString& path) {
         return tr("%1: written, but the owner or the permissions of the file could not be kept").arg(path);
     }
-    static QString atLine(const FileError& error) { return tr("line %1, column %2").arg(error.line).arg(error.column); }
 
   private:
     static QString number(const FileError& error, std::size_t i) {
@@ -29,7 +37,7 @@ class Errors {
     static QString words(const FileError& error) {
         QStringList list;
         for (const std::string& word : error.words)
-            list.append(QString::fromStdString(word));
+            list.append(shortened(QString::fromStdString(word)));
         return list.join(QLatin1String(", "));
     }
 };
@@ -76,20 +84,49 @@ QString Errors::reason(const FileError& error) {
         return tr("expected %n element(s)", nullptr, error.numbers.empty() ? 0 : static_cast<int>(error.numbers[0]));
     case FileProblem::tooMany:
         return tr("more than %1 is too many").arg(number(error, 0));
-    case FileProblem::tooManyPasses:
-        return tr("more than %1 passes through crossings and overlaps are too many").arg(number(error, 0));
-    case FileProblem::tooManyIntersections:
-        return tr("the curves have too many intersections to work out");
-    case FileProblem::tooManyPairs:
-        return tr("the interpolated runs have more than %1 pairs of points").arg(number(error, 0));
     case FileProblem::noSuchIndex:
         return tr("no such index");
     case FileProblem::tooLarge:
         return tr("the file is larger than %1 bytes").arg(number(error, 0));
     case FileProblem::noDocumentInside:
         return tr("this figure has no document of Kriva inside");
+    default: {
+        const QString limit = limitReason(error);
+        return limit.isEmpty() ? xmlReason(error) : limit;
+    }
+    }
+}
+
+QString Errors::limitReason(const FileError& error) {
+    switch (error.problem) {
+    case FileProblem::tooManyCurves:
+        return tr("a sheet takes at most %1 curves, and these are %2").arg(number(error, 0), number(error, 1));
+    case FileProblem::tooManyPoints:
+        return tr("a sheet takes at most %1 points").arg(number(error, 0));
+    case FileProblem::tooManyDerivedPoints:
+        return tr("a sheet takes at most %1 points of elevated curves and of pieces").arg(number(error, 0));
+    case FileProblem::tooManyPointsInCurve:
+        return tr("this curve takes at most %1 points, and would have %2").arg(number(error, 0), number(error, 1));
+    case FileProblem::tooManyPointsInRun:
+        return tr("interpolation takes at most %1 points in a monotone run, and one has %2")
+            .arg(number(error, 0), number(error, 1));
+    case FileProblem::tooManySegments:
+        return tr("a report takes at most %1 segments of a sheet, and these are %2")
+            .arg(number(error, 0), number(error, 1));
+    case FileProblem::tooManyPasses:
+        return tr("more than %1 passes through crossings and overlaps are too many").arg(number(error, 0));
+    case FileProblem::tooManyIntersections:
+        return tr("the curves have too many intersections to work out");
+    case FileProblem::tooManyPairs:
+        return tr("the interpolated runs have more than %1 pairs of points").arg(number(error, 0));
+    case FileProblem::coordinatesOutOfRange:
+        return tr("coordinates go from %1 to %2").arg(number(error, 0), number(error, 1));
+    case FileProblem::tooManyUses:
+        return tr("more than %1 uses of elements are too many").arg(number(error, 0));
+    case FileProblem::usedTooDeep:
+        return tr("uses of elements are nested more than %1 deep").arg(number(error, 0));
     default:
-        return xmlReason(error);
+        return {};
     }
 }
 
@@ -97,6 +134,14 @@ QString Errors::xmlReason(const FileError& error) {
     switch (error.problem) {
     case FileProblem::notXml:
         return tr("this is no XML");
+    case FileProblem::secondRoot:
+        return tr("there is something behind the end of the outermost element");
+    case FileProblem::repeatedAttribute:
+        return tr("the attribute “%1” stands here twice").arg(words(error));
+    case FileProblem::unknownEntity:
+        return tr("the entity “%1” is unknown").arg(words(error));
+    case FileProblem::notInEncoding:
+        return tr("this is no UTF-8, which the file says that it is");
     case FileProblem::internalSubset:
         return tr("the document type has declarations of its own");
     case FileProblem::tooManyElements:
@@ -107,11 +152,26 @@ QString Errors::xmlReason(const FileError& error) {
         return tr("this is no path data");
     case FileProblem::badAttribute:
         return tr("the attribute “%1” cannot be read").arg(words(error));
+    case FileProblem::farAttribute:
+        return tr("the attribute “%1” leads beyond the coordinates from %2 to %3")
+            .arg(words(error), number(error, 0), number(error, 1));
     case FileProblem::noPaths:
         return tr("there is no path to import");
     default:
         return {};
     }
+}
+
+QString Errors::place(const FileError& error) {
+    const QString name = shortened(QString::fromStdString(error.place));
+    if (error.curve > 0 && name.isEmpty())
+        return tr("curve %1").arg(error.curve);
+    if (error.curve > 0)
+        return tr("curve %1, “%2”").arg(QString::number(error.curve), name);
+    if (error.line == 0)
+        return QString::fromStdString(error.place);
+    const QString line = tr("line %1, column %2").arg(error.line).arg(error.column);
+    return error.isInFigure ? tr("%1, the document inside").arg(line) : line;
 }
 
 QString Errors::fault(const ReadError& error, const QString& path) {
@@ -149,8 +209,12 @@ QString Errors::fault(const WriteError& error, const QString& path) {
 } // namespace
 
 QString errorText(const FileError& error) {
-    const QString place = error.line > 0 ? Errors::atLine(error) : QString::fromStdString(error.place);
+    const QString place = Errors::place(error);
     return place.isEmpty() ? Errors::reason(error) : QStringLiteral("%1: %2").arg(place, Errors::reason(error));
+}
+
+QString reasonText(const FileError& error) {
+    return Errors::reason(error);
 }
 
 QString errorText(const ReadError& error, const QString& path) {

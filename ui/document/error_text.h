@@ -9,6 +9,9 @@ namespace kriva::ui {
 /// One line that names the place and says what was expected there, in the present language.
 [[nodiscard]] QString errorText(const FileError& error);
 
+/// The same without the place, where it says nothing to a person.
+[[nodiscard]] QString reasonText(const FileError& error);
+
 /// One line about a file that could not be read, opened or written.
 [[nodiscard]] QString errorText(const ReadError& error, const QString& path);
 [[nodiscard]] QString errorText(const OpenError& error, const QString& path);

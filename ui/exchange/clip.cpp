@@ -7,6 +7,7 @@
 #include "ui/exchange/import_text.h"
 #include "ui/exchange/points_table.h"
 #include "ui/figures/caption_text.h"
+#include "ui/shell/language/plain_text.h"
 
 #include <QCoreApplication>
 
@@ -29,12 +30,13 @@ class ClipTexts {
     Q_DECLARE_TR_FUNCTIONS(Clip)
   public:
     static QString refusal(const QString& why) { return tr("The clipboard: %1").arg(why); }
+    static QString ownRefusal(const QString& why) { return tr("The clipboard: its curve cannot be read: %1").arg(why); }
 };
 
 [[nodiscard]] Clipped readOwn(const QByteArray& text, SheetIndex sheet) {
     const auto read = readFragment(charactersOf(text));
     if (const FileError* error = std::get_if<FileError>(&read))
-        return ClipTexts::refusal(errorText(*error));
+        return ClipTexts::ownRefusal(reasonText(*error));
     Fragment fragment = std::get<Fragment>(read);
     fragment.curve = converted(fragment.curve, sheet);
     return fragment;
@@ -74,7 +76,7 @@ Clipped readClip(const QMimeData& clip, SheetIndex sheet) {
     if (clip.hasFormat(own))
         return readOwn(clip.data(own), sheet);
     const bool isFigure = !clip.hasText() && clip.hasFormat(kSvgFormat);
-    return readForeign(isFigure ? clip.data(kSvgFormat) : clip.text().toUtf8(), sheet);
+    return readForeign(isFigure ? clip.data(kSvgFormat) : wellFormed(clip.text()).toUtf8(), sheet);
 }
 
 } // namespace kriva::ui

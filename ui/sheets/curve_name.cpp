@@ -1,5 +1,7 @@
 #include "ui/sheets/curve_name.h"
 
+#include "ui/shell/language/plain_text.h"
+
 #include <QCoreApplication>
 
 namespace kriva::ui {
@@ -7,7 +9,7 @@ namespace kriva::ui {
 QString curveName(const Curve& curve, int index) {
     const std::string& name = nameOf(curve);
     return name.empty() ? QCoreApplication::translate("CurveName", "Curve %1").arg(index + 1)
-                        : QString::fromStdString(name);
+                        : printable(QString::fromStdString(name));
 }
 
 } // namespace kriva::ui

@@ -5,6 +5,7 @@
 #include "core/geometry/tolerance.h"
 #include "ui/sheets/move_label.h"
 #include "ui/sheets/sheet_drag.h"
+#include "ui/shell/language/plain_text.h"
 
 #include <QCoreApplication>
 
@@ -204,7 +205,7 @@ void SheetEditor::deleteCurve(Serial serial, const StepLabel& label) {
 
 void SheetEditor::renameCurve(Serial serial, const QString& name) {
     if (const Curve* curve = document().find(index(), serial))
-        document().change(index(), serial, renamed(*curve, name.toStdString()),
+        document().change(index(), serial, renamed(*curve, wellFormed(name).toStdString()),
                           {QT_TRANSLATE_NOOP("Step", "Rename the curve")});
 }
 

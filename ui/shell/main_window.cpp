@@ -8,8 +8,10 @@
 #include "ui/shell/actions/tab_actions.h"
 #include "ui/shell/document_session.h"
 #include "ui/shell/help/help.h"
+#include "ui/shell/language/plain_text.h"
 #include "ui/shell/language/qt_texts.h"
 #include "ui/shell/notice_bar.h"
+#include "ui/shell/plain_file_dialogs.h"
 #include "ui/shell/preferences.h"
 #include "ui/shell/status_row.h"
 
@@ -65,6 +67,7 @@ MainWindow::MainWindow(const Surroundings& surroundings)
     menus_->setLanguage(surroundings_.language.language());
     menus_->setThemeChoice(surroundings_.theme.theme());
     new PhysicalShortcuts(*this);
+    new PlainFileDialogs(this);
     followTab();
     showTheme();
     retranslateUi();
@@ -130,7 +133,7 @@ void MainWindow::connectActions() {
     });
     connect(&surroundings_.theme, &ThemeSwitch::changed, this, &MainWindow::showTheme);
     connect(session_, &DocumentSession::pathChanged, this, [this] {
-        setWindowTitle(QStringLiteral("%1[*] – Kriva").arg(session_->name()));
+        showTitle();
         menus_->setRecentFiles(surroundings_.preferences.recentFiles());
     });
     connect(&document_, &OpenDocument::modifiedChanged, this, &QWidget::setWindowModified);
@@ -198,8 +201,12 @@ void MainWindow::retranslateUi() {
     actions_->retranslateUi();
     menus_->retranslateUi();
     renameQtButtons(*this);
-    setWindowTitle(QStringLiteral("%1[*] – Kriva").arg(session_->name()));
+    showTitle();
     followHistory();
+}
+
+void MainWindow::showTitle() {
+    setWindowTitle(QStringLiteral("%1[*] – Kriva").arg(windowTitleOf(session_->name())));
 }
 
 QString MainWindow::sheetTitle(SheetIndex sheet) const {

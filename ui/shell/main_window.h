@@ -54,6 +54,7 @@ class MainWindow : public QMainWindow {
     void connectEditActions();
     void connectViewActions();
     void retranslateUi();
+    void showTitle();
     void followTab();
     void followHistory();
     void followSelection();

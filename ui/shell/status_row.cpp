@@ -1,6 +1,8 @@
 #include "ui/shell/status_row.h"
 
 #include "ui/shell/language/number_text.h"
+#include "ui/shell/language/plain_text.h"
+#include "ui/shell/look/plain_label.h"
 
 #include <QEvent>
 #include <QLocale>
@@ -53,9 +55,9 @@ class LabelPlace : public QWidget {
 
 StatusRow::StatusRow(QWidget* parent)
     : QStatusBar(parent)
-    , hint_(new QLabel(this))
-    , pointer_(new QLabel(this))
-    , zoom_(new QLabel(this)) {
+    , hint_(new PlainLabel(this))
+    , pointer_(new PlainLabel(this))
+    , zoom_(new PlainLabel(this)) {
     hint_->setObjectName(QStringLiteral("hint"));
     pointer_->setObjectName(QStringLiteral("pointer"));
     zoom_->setObjectName(QStringLiteral("zoom"));
@@ -71,7 +73,7 @@ void StatusRow::showHint(const QString& hint) {
 }
 
 void StatusRow::tell(const QString& text) {
-    hint_->setText(text);
+    hint_->setText(printable(text));
     isTelling_ = true;
 }
 

@@ -96,7 +96,8 @@ TEST(CombinedJson, limitsARunUnderInterpolationTo201Points) {
     };
     EXPECT_TRUE(readBack(with(201, "interpolation")));
     EXPECT_EQ(errorOf(with(202, "interpolation")).place, "sheets.combined.curves[0].points");
-    EXPECT_EQ(errorOf(with(202, "interpolation")).problem, FileProblem::tooMany);
+    EXPECT_EQ(errorOf(with(202, "interpolation")).problem, FileProblem::tooManyPointsInRun);
+    EXPECT_EQ(errorOf(with(202, "interpolation")).numbers, (std::vector<double>{201, 202}));
     EXPECT_TRUE(readBack(with(202, "approximation")));
 }
 

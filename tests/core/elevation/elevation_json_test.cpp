@@ -64,7 +64,7 @@ TEST(ElevationJson, takesTwoMillionElevatedPointsInASheetAndNoMore) {
     EXPECT_EQ(test::documentOf(test::documentWith("elevation", curves + curveOfPoints(50, 0))).sheets[0].curves.size(),
               200u);
     const FileError error = refusalOf(curves + curveOfPoints(51, 0));
-    EXPECT_EQ(error.problem, FileProblem::tooMany);
+    EXPECT_EQ(error.problem, FileProblem::tooManyDerivedPoints);
     EXPECT_EQ(error.place, "sheets.elevation.curves");
     EXPECT_EQ(error.numbers, std::vector<double>{2'000'000});
 }

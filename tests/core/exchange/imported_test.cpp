@@ -53,12 +53,16 @@ TEST(ImportedCurves, areRefusedBeyondTheLimitsWithTheirPlace) {
     };
     const Path many{Points(limits::kControlPoints + 1), {}, false};
     const FileError tooLong = faultOf({{"", kCubic}, {"", many}}, kElevation);
-    EXPECT_EQ(tooLong.problem, FileProblem::tooMany);
-    EXPECT_EQ(tooLong.place, "curves[1]");
-    EXPECT_EQ(tooLong.numbers, std::vector{static_cast<double>(limits::kControlPoints)});
-    EXPECT_EQ(faultOf({{"", kCubic}}, kSpline, {1e9, {}}).problem, FileProblem::numberOutOfRange);
-    EXPECT_EQ(faultOf(std::vector<ImportedPath>(limits::kCurvesInSheet + 1, {"", kCubic}), kSpline).place,
-              "sheets.spline.curves");
+    EXPECT_EQ(tooLong.problem, FileProblem::tooManyPointsInCurve);
+    EXPECT_EQ(tooLong.curve, 2);
+    EXPECT_EQ(tooLong.place, "");
+    EXPECT_EQ(tooLong.numbers, (std::vector<double>{limits::kControlPoints, limits::kControlPoints + 1}));
+    EXPECT_EQ(faultOf({{"Leaf", many}}, kElevation).place, "Leaf");
+    EXPECT_EQ(faultOf({{"", kCubic}}, kSpline, {1e9, {}}).problem, FileProblem::coordinatesOutOfRange);
+    const FileError tooMany = faultOf(std::vector<ImportedPath>(limits::kCurvesInSheet + 1, {"", kCubic}), kSpline);
+    EXPECT_EQ(tooMany.problem, FileProblem::tooManyCurves);
+    EXPECT_EQ(tooMany.numbers, (std::vector<double>{1000, 1001}));
+    EXPECT_EQ(tooMany.curve, 0);
 }
 
 } // namespace

@@ -102,7 +102,8 @@ TEST(SplineReport, refusesMoreSegmentsThanItCanCross) {
     EXPECT_FALSE(reportLimitError(document));
     curves.push_back(test::curveThrough(Rule::mirror, {{0, 0}, {1, 1}}));
     ASSERT_TRUE(reportLimitError(document));
-    EXPECT_EQ(reportLimitError(document)->place, "sheets.spline.curves");
+    EXPECT_EQ(reportLimitError(document)->problem, FileProblem::tooManySegments);
+    EXPECT_EQ(reportLimitError(document)->words, std::vector<std::string>{"spline"});
 }
 
 TEST(SplineResults, addUpToTheWholeLength) {

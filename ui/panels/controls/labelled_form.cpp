@@ -1,11 +1,11 @@
 #include "ui/panels/controls/labelled_form.h"
 
-#include <QLabel>
+#include "ui/shell/look/plain_label.h"
 
 namespace kriva::ui {
 
 void LabelledForm::addField(QWidget* field) {
-    auto* label = new QLabel(field->parentWidget());
+    auto* label = new PlainLabel(field->parentWidget());
     label->setBuddy(field);
     addRow(label, field);
 }

@@ -2,6 +2,7 @@
 
 #include "ui/shell/language/number_text.h"
 #include "ui/shell/look/icons.h"
+#include "ui/shell/look/plain_label.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -31,8 +32,8 @@ Player::Player(QWidget* parent)
     , loop_(button("loop"))
     , keep_(button("keep"))
     , scrubber_(new QSlider(Qt::Horizontal, this))
-    , speed_(new QLabel(this))
-    , stageText_(new QLabel(this)) {
+    , speed_(new PlainLabel(this))
+    , stageText_(new PlainLabel(this)) {
     auto* layout = new QGridLayout(this);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(0);

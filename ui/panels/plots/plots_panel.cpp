@@ -3,6 +3,7 @@
 #include "ui/figures/caption_text.h"
 #include "ui/panels/result_text.h"
 #include "ui/shell/look/icons.h"
+#include "ui/shell/look/plain_label.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -128,7 +129,7 @@ void PlotsPanel::makeRows(std::size_t count) {
         delete rows_.back().values;
     }
     while (rows_.size() < count) {
-        const Row row{new QLabel(this), new PlotView(this), new QLabel(this)};
+        const Row row{new PlainLabel(this), new PlotView(this), new PlainLabel(this)};
         row.values->setWordWrap(true);
         row.values->setTextInteractionFlags(Qt::TextSelectableByMouse);
         row.values->setMargin(2);

@@ -2,6 +2,7 @@
 
 #include "core/io/table_writer.h"
 #include "ui/figures/caption_text.h"
+#include "ui/shell/look/plain_label.h"
 
 #include <QClipboard>
 #include <QEvent>
@@ -18,7 +19,7 @@ TablesPanel::TablesPanel(ShownSheet& sheet, Tables tables, QWidget* parent)
     : QWidget(parent)
     , choice_(new KeptChoice(this))
     , view_(new QTableView(this))
-    , sum_(new QLabel(this))
+    , sum_(new PlainLabel(this))
     , latex_(new QToolButton(this))
     , csv_(new QToolButton(this))
     , pointedOut_(sheet)

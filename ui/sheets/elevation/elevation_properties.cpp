@@ -5,6 +5,7 @@
 #include "core/geometry/tolerance.h"
 #include "ui/panels/result_text.h"
 #include "ui/sheets/elevation/elevation_actions.h"
+#include "ui/shell/look/plain_label.h"
 
 #include <algorithm>
 
@@ -30,7 +31,7 @@ Curve withTimes(const Curve& curve, int times) {
 ElevationProperties::ElevationProperties(SheetEditor& editor, QWidget* parent)
     : PropertiesPanel(editor, parent)
     , degree_(new SliderField(this))
-    , deviation_(new QLabel(this))
+    , deviation_(new PlainLabel(this))
     , player_(new Player(this)) {
     addRow(QT_TRANSLATE_NOOP("Properties", "Degree"), degree_);
     bind(degree_,

@@ -1,5 +1,7 @@
 #include "ui/sheets/properties/properties_panel.h"
 
+#include "ui/shell/look/plain_label.h"
+
 #include <QCoreApplication>
 #include <QEvent>
 #include <QSignalBlocker>
@@ -29,7 +31,7 @@ PropertiesPanel::PropertiesPanel(SheetEditor& editor, QWidget* parent)
 }
 
 void PropertiesPanel::addRow(const char* label, QWidget* field) {
-    auto* text = new QLabel(this);
+    auto* text = new PlainLabel(this);
     text->setBuddy(field);
     layout_->addRow(text, field);
     rows_.push_back({text, label, field});
@@ -40,7 +42,7 @@ void PropertiesPanel::addWide(QWidget* widget) {
 }
 
 void PropertiesPanel::addHeading(const char* label) {
-    auto* text = new QLabel(this);
+    auto* text = new PlainLabel(this);
     QFont bold = text->font();
     bold.setBold(true);
     text->setFont(bold);

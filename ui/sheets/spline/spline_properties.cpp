@@ -6,6 +6,7 @@
 #include "ui/panels/result_text.h"
 #include "ui/sheets/spline/built_in_drawing.h"
 #include "ui/sheets/spline/spline_actions.h"
+#include "ui/shell/look/plain_label.h"
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
@@ -84,7 +85,7 @@ void SplineProperties::addComparison() {
     bindView(polylinePoints_, [this](double points) {
         editor().document().setPolylinePoints(editor().index(), static_cast<int>(points));
     });
-    deviation_ = new QLabel(this);
+    deviation_ = new PlainLabel(this);
     addRow(QT_TRANSLATE_NOOP("Properties", "Largest deviation"), deviation_);
     deviation_->setTextInteractionFlags(Qt::TextSelectableByMouse);
 }

@@ -2,6 +2,7 @@
 
 #include "ui/shell/actions/actions.h"
 #include "ui/shell/examples.h"
+#include "ui/shell/language/plain_text.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>
@@ -133,9 +134,8 @@ void Menus::fillExamples(QMenu* file) {
 void Menus::setRecentFiles(const QStringList& paths) {
     recent_->clear();
     for (const QString& path : paths) {
-        QString name = QFileInfo(path).fileName();
-        QAction* action = recent_->addAction(name.replace(QLatin1Char('&'), QLatin1String("&&")));
-        action->setToolTip(path);
+        QAction* action = recent_->addAction(actionTextOf(QFileInfo(path).fileName()));
+        action->setToolTip(toolTipOf(path));
         connect(action, &QAction::triggered, this, [this, path] { Q_EMIT recentFileChosen(path); });
     }
     recent_->setToolTipsVisible(true);

@@ -2,6 +2,7 @@
 
 #include "ui/figures/caption_text.h"
 #include "ui/figures/frame_text.h"
+#include "ui/shell/look/plain_label.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -41,7 +42,7 @@ ExportDialog::ExportDialog(ExportSubject subject, const FigureFileOptions& optio
     , hasOwnScale_(new QCheckBox(this))
     , scale_(new NumberField(this))
     , margin_(new NumberField(this))
-    , size_(new QLabel(this))
+    , size_(new PlainLabel(this))
     , theme_(new QComboBox(this))
     , hasTexts_(new QCheckBox(this))
     , layers_(new QListWidget(this))

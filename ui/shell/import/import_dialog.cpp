@@ -3,6 +3,8 @@
 #include "core/document/limits.h"
 #include "ui/document/error_text.h"
 #include "ui/figures/caption_text.h"
+#include "ui/shell/language/plain_text.h"
+#include "ui/shell/look/plain_label.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -25,12 +27,12 @@ ImportDialog::ImportDialog(std::vector<ImportedPath> paths, SheetIndex sheet, QW
     , sheet_(sheet)
     , preview_(new FigurePreview(this))
     , list_(new QListWidget(this))
-    , listLabel_(new QLabel(this))
+    , listLabel_(new PlainLabel(this))
     , form_(new LabelledForm)
     , scale_(new NumberField(this))
     , x_(new NumberField(this))
     , y_(new NumberField(this))
-    , told_(new QLabel(this))
+    , told_(new PlainLabel(this))
     , buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
     fill();
     layOut();
@@ -96,27 +98,32 @@ void ImportDialog::retranslateUi() {
 QString ImportDialog::nameOfPath(int index) const {
     const ImportedPath& path = paths_[static_cast<std::size_t>(index)];
     const auto points = static_cast<int>(pointsOf(path.path).size());
-    const QString count = tr("%n point(s)", nullptr, points);
-    return path.name.empty() ? QStringLiteral("%1: %2").arg(index + 1).arg(count)
-                             : QStringLiteral("%1: %2").arg(QString::fromStdString(path.name), count);
+    const QString name = path.name.empty() ? QString::number(index + 1) : QString::fromStdString(path.name);
+    return printable(QStringLiteral("%1: %2").arg(name, tr("%n point(s)", nullptr, points)));
 }
 
-std::vector<ImportedPath> ImportDialog::chosenPaths() const {
-    std::vector<ImportedPath> chosen;
+std::vector<int> ImportDialog::chosen() const {
+    std::vector<int> chosen;
     for (int i = 0; i < list_->count(); ++i)
         if (list_->item(i)->checkState() == Qt::Checked)
-            chosen.push_back(paths_[static_cast<std::size_t>(i)]);
+            chosen.push_back(i);
     return chosen;
 }
 
 void ImportDialog::showCurves() {
     const Placing placing{scale_->value(), {x_->value(), y_->value()}};
-    auto read = importedCurves(chosenPaths(), sheet_, placing);
+    const std::vector<int> chosen = this->chosen();
+    std::vector<ImportedPath> paths;
+    for (const int index : chosen)
+        paths.push_back(paths_[static_cast<std::size_t>(index)]);
+    auto read = importedCurves(paths, sheet_, placing);
     curves_.clear();
     told_->clear();
-    if (const FileError* error = std::get_if<FileError>(&read))
-        told_->setText(errorText(*error));
-    else
+    if (FileError* error = std::get_if<FileError>(&read)) {
+        if (error->curve > 0) // the list numbers those that are left out too
+            error->curve = chosen[static_cast<std::size_t>(error->curve) - 1] + 1;
+        told_->setText(printable(errorText(*error)));
+    } else
         curves_ = std::get<std::vector<Curve>>(std::move(read));
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(!curves_.empty());
     Document document;

@@ -30,7 +30,8 @@ class ImportDialog : public QDialog {
     void layOut();
     void retranslateUi();
     void showCurves();
-    [[nodiscard]] std::vector<ImportedPath> chosenPaths() const;
+    /// Places of the chosen ones among all.
+    [[nodiscard]] std::vector<int> chosen() const;
     [[nodiscard]] QString nameOfPath(int index) const;
 
     const std::vector<ImportedPath> paths_;

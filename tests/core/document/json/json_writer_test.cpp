@@ -1,5 +1,6 @@
 #include "core/document/json/json_tape.h"
 #include "core/document/json/json_writer.h"
+#include "core/document/text/utf8.h"
 
 #include <gtest/gtest.h>
 
@@ -74,6 +75,25 @@ TEST(JsonWriter, writesNullForWhatIsNotFinite) {
 
 TEST(JsonWriter, escapesWhatATextMayNotHold) {
     EXPECT_EQ(written("a\"b\\c\n\x01\x7f/крива"), R"("a\"b\\c\u000a\u0001\u007f/крива")");
+}
+
+TEST(JsonWriter, escapesWhatTurnsALineAroundOrEndsIt) {
+    EXPECT_EQ(written("a\u202eb\u2066\u0085\u009b\u200f\u061c\u2028"),
+              R"("a\u202eb\u2066\u0085\u009b\u200f\u061c\u2028")");
+    EXPECT_EQ(written("\u200b\u200d\u00a0\u2010"), "\"\u200b\u200d\u00a0\u2010\"");
+}
+
+TEST(JsonWriter, writesNothingThatNoReaderTakes) {
+    const std::string hostile[] = {"\xE4",      "\xED\xA0\x80",      "\xC0\xAF", "\xF5\x80\x80\x80",
+                                   "a\xF0\x9F", std::string(1, '\0')};
+    for (const std::string& text : hostile) {
+        JsonWriter json(JsonWriter::Digits::shortest, 0);
+        json.beginObject().member("a" + text, text).endObject();
+        const std::string bytes = std::move(json).take();
+        EXPECT_TRUE(isUtf8(bytes));
+        EXPECT_TRUE(std::holds_alternative<JsonTape>(parseJson(bytes))) << bytes;
+        EXPECT_NE(bytes.find(kReplacementCharacter), std::string::npos) << bytes;
+    }
 }
 
 TEST(JsonWriter, writesListsOfLists) {

@@ -82,7 +82,8 @@ TEST(SvgPaths, followsUse) {
 
 TEST(SvgPaths, refusesToGoRoundInCircles) {
     const FileError circle = faultOf("<g id='a'><use href='#a'/></g>");
-    EXPECT_EQ(circle.problem, FileProblem::nestedTooDeep);
+    EXPECT_EQ(circle.problem, FileProblem::usedTooDeep);
+    EXPECT_EQ(circle.line, 2);
     std::string inside = "<defs><path id='x0' d='M0 0h1'/>";
     for (int i = 1; i <= 15; ++i) {
         const std::string before = "<use href='#x" + std::to_string(i - 1) + "'/>";
@@ -91,7 +92,54 @@ TEST(SvgPaths, refusesToGoRoundInCircles) {
             inside += before;
         inside += "</g>";
     }
-    EXPECT_EQ(faultOf(inside + "</defs><use href='#x15'/>").problem, FileProblem::tooManyElements);
+    EXPECT_EQ(faultOf(inside + "</defs><use href='#x15'/>").problem, FileProblem::tooManyUses);
+}
+
+/// A path that is used so often, each time by what used it before.
+std::string chainOfUses(int uses) {
+    std::string inside = "<defs><path id='a0' d='M0 0L1 1'/>";
+    for (int i = 1; i < uses; ++i)
+        inside += "<use id='a" + std::to_string(i) + "' href='#a" + std::to_string(i - 1) + "'/>";
+    return inside + "</defs><use href='#a" + std::to_string(uses - 1) + "'/>";
+}
+
+TEST(SvgPaths, takes32UsesInsideEachOtherAndNoMore) {
+    EXPECT_EQ(read(chainOfUses(32)).size(), 1);
+    const FileError error = faultOf(chainOfUses(33));
+    EXPECT_EQ(error.problem, FileProblem::usedTooDeep);
+    EXPECT_EQ(error.numbers, std::vector<double>{32});
+}
+
+TEST(SvgPaths, takes10000UsesAndNoMore) {
+    const std::string path = "<defs><path id='a' d='M0 0L1 1'/></defs>";
+    const auto used = [&](int times) {
+        std::string inside = path;
+        for (int i = 0; i < times; ++i)
+            inside += "<use href='#a'/>";
+        return inside;
+    };
+    EXPECT_EQ(read(used(10'000)).size(), 10'000);
+    const FileError error = faultOf(used(10'001));
+    EXPECT_EQ(error.problem, FileProblem::tooManyUses);
+    EXPECT_EQ(error.numbers, std::vector<double>{10'000});
+}
+
+TEST(SvgPaths, deepUsesOfDeepGroupsNeedNoDeepStack) {
+    const auto groups = [](const std::string& inside) {
+        constexpr int kNested = 250;
+        std::string text;
+        for (int i = 0; i < kNested; ++i)
+            text += "<g>";
+        text += inside;
+        for (int i = 0; i < kNested; ++i)
+            text += "</g>";
+        return text;
+    };
+    std::string inside = "<defs><path id='a0' d='M0 0L1 1'/>";
+    for (int i = 1; i <= 31; ++i)
+        inside += "<g id='a" + std::to_string(i) + "'>" +
+                  groups("<use href='#a" + std::to_string(i - 1) + "' x='1'/>") + "</g>";
+    EXPECT_EQ(pointsOfFirst(inside + "</defs><use href='#a31'/>"), (Points{{31, 0}, {32, -1}}));
 }
 
 TEST(SvgPaths, hasViewportsInside) {
@@ -144,10 +192,52 @@ TEST(SvgPaths, namesTheAttributeAndTheLineOfAFault) {
     expect("<polygon points='0 0 1'/>", "points");
     expect("<svg viewBox='0 0 -1 1'><path d='M0 0h1'/></svg>", "viewBox");
     expect("<use id='u' href='#u' x='?'/>", "x");
-    expect("<path d='M0 0h1e8' transform='scale(1e3)'/>", "transform");
     EXPECT_EQ(faultOf("").problem, FileProblem::noPaths);
     const auto broken = readSvgPaths("<svg>\n<g></svg>");
     EXPECT_EQ(std::get<FileError>(broken).problem, FileProblem::notXml);
+}
+
+TEST(SvgPaths, namesTheAttributeThatLeadsTooFar) {
+    const auto expect = [](std::string_view inside, const std::string& attribute, int line = 2) {
+        const FileError error = faultOf(inside);
+        EXPECT_EQ(error.problem, FileProblem::farAttribute) << inside;
+        EXPECT_EQ(error.words, std::vector{attribute}) << inside;
+        EXPECT_EQ(error.line, line) << inside;
+        EXPECT_EQ(error.numbers, (std::vector<double>{-1e9, 1e9}));
+    };
+    expect("<path d='M0 0L1e10 1'/>", "d");
+    expect("<path d='M0 0h1e8' transform='scale(1e3)'/>", "transform");
+    expect("<path d='M0 0h1e10' transform='scale(.5)'/>", "d");
+    expect("<g transform='scale(1e3)'>\n<path d='M0 0h1e8' transform='scale(2)'/></g>", "transform", 2);
+    expect("<g transform='scale(2)'>\n<path d='M0 0h1e8' transform='scale(1e3)'/></g>", "transform", 3);
+    expect("<rect width='1' height='2e9'/>", "height");
+    expect("<line x2='5e9'/>", "x2");
+    expect("<polygon points='0 0 1 1 0 2e9'/>", "points");
+    expect("<defs><path id='p' d='M0 0h1'/></defs>\n<use href='#p' y='3e9'/>", "y", 3);
+    expect("<svg viewBox='0 0 1e-9 1e-9' width='1' height='1'>\n<path d='M0 0h5'/></svg>", "viewBox", 2);
+    EXPECT_EQ(pointsOfFirst("<path d='M0 0h1e10' transform='scale(.1)'/>"), (Points{{0, 0}, {1e9, 0}}));
+}
+
+TEST(SvgPaths, takesWhatIsNoCharacterForTheReplacementCharacter) {
+    const std::string replaced = "\xEF\xBF\xBD";
+    const auto nameOf = [](std::string_view label) {
+        return read(std::string("<path inkscape:label='").append(label).append("' d='M0 0h1'/>")).front().name;
+    };
+    EXPECT_EQ(nameOf("a\xE4"), "a" + replaced);
+    EXPECT_EQ(nameOf("&#xD800;b"), replaced + "b");
+    EXPECT_EQ(nameOf("&#0;&#1114112;&#99999999999;"), replaced + replaced + replaced);
+    EXPECT_EQ(nameOf("\xED\xA0\x80"), replaced);
+    EXPECT_EQ(nameOf("\xC0\xAF"), replaced + replaced);
+    EXPECT_EQ(nameOf("&#x1F642;&#1082;к"), "\U0001F642кк");
+}
+
+TEST(SvgPaths, namesThePlaceOfTheFileBehindBrokenCharacters) {
+    const auto broken = readSvgPaths("<svg><path id='\xE4\xE4&#xD800;' d='M0 0X'/></svg>");
+    const auto whole = readSvgPaths("<svg><path id='aabbbbbbbb' d='M0 0h1'/><path d='M0 0X'/></svg>");
+    EXPECT_EQ(std::get<FileError>(broken).column, 7);
+    EXPECT_EQ(std::get<FileError>(whole).column, 41);
+    const auto behind = readSvgPaths("<svg><path id='\xE4\xE4&#xD800;' d='M0 0h1'/><path d='M0 0X'/></svg>");
+    EXPECT_EQ(std::get<FileError>(behind).column, 41);
 }
 
 } // namespace
