@@ -1371,10 +1371,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Тази крива следва точките си; влачете тях</translation>
     </message>
     <message>
-        <source>The blossom needs as many numbers as the degree</source>
-        <translation>Полярната форма изисква толкова числа, колкото е степента</translation>
-    </message>
-    <message>
         <source>The shape changes by at most %1</source>
         <translation>Формата се променя с най-много %1</translation>
     </message>
@@ -1469,10 +1465,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Ctrl: steps of 15°   Ctrl+Alt: keep the angle   Alt: leave the other handle   Space: carry the knot</source>
         <translation>Ctrl: стъпки от 15°   Ctrl+Alt: запазва ъгъла   Alt: оставя другия манипулатор   Интервал: носи и възела</translation>
-    </message>
-    <message>
-        <source>Further t are numbers between 0 and 1, at most %1 of them</source>
-        <translation>Другите t са числа между 0 и 1, най-много %1</translation>
     </message>
     <message>
         <source>Click: how this point is worked out, in Tables</source>
@@ -1595,6 +1587,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Multiplicity</source>
         <translation>Кратност</translation>
+    </message>
+    <message>
+        <source>One of these is needed: %1.</source>
+        <translation>Нужно е едно от следните: %1.</translation>
     </message>
 </context>
 <context>
@@ -2550,6 +2546,16 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>kriva::ui::FramesField</name>
+    <message numerus="yes">
+        <source>At most %n frame(s): stages, such as 0; 5 or 0..10, or values of t, such as t = 0.25; 0.5.</source>
+        <translation>
+            <numerusform>Най-много %n кадър: етапи, например 0; 5 или 0..10, или стойности на t, например t = 0,25; 0,5.</numerusform>
+            <numerusform>Най-много %n кадъра: етапи, например 0; 5 или 0..10, или стойности на t, например t = 0,25; 0,5.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::GuidePanel</name>
     <message>
         <source>Guide</source>
@@ -2655,6 +2661,23 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>kriva::ui::NumberListField</name>
+    <message numerus="yes">
+        <source>%n number(s) from %1 to %2, with semicolons between them.</source>
+        <translation>
+            <numerusform>%n число от %1 до %2, разделени с точка и запетая.</numerusform>
+            <numerusform>%n числа от %1 до %2, разделени с точка и запетая.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n number(s) above %1 and below %2, with semicolons between them.</source>
+        <translation>
+            <numerusform>Най-много %n число над %1 и под %2, разделени с точка и запетая.</numerusform>
+            <numerusform>Най-много %n числа над %1 и под %2, разделени с точка и запетая.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::Player</name>
     <message>
         <source>%1×</source>
@@ -2731,6 +2754,13 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Export the plot</source>
         <translation>Изнасяне на графиката</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::PointsModel</name>
+    <message>
+        <source>New point</source>
+        <translation>Нова точка</translation>
     </message>
 </context>
 <context>

@@ -1373,10 +1373,6 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <translation>Ta krivulja sledi svojim točkam; vlecite te</translation>
     </message>
     <message>
-        <source>The blossom needs as many numbers as the degree</source>
-        <translation>Polarna forma potrebuje toliko števil, kolikor je stopnja</translation>
-    </message>
-    <message>
         <source>The shape changes by at most %1</source>
         <translation>Oblika se spremeni za največ %1</translation>
     </message>
@@ -1471,10 +1467,6 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Ctrl: steps of 15°   Ctrl+Alt: keep the angle   Alt: leave the other handle   Space: carry the knot</source>
         <translation>Ctrl: koraki po 15°   Ctrl+Alt: ohrani kot   Alt: pusti drugo ročico   Preslednica: nese tudi vozel</translation>
-    </message>
-    <message>
-        <source>Further t are numbers between 0 and 1, at most %1 of them</source>
-        <translation>Drugi t so števila med 0 in 1, največ %1</translation>
     </message>
     <message>
         <source>Click: how this point is worked out, in Tables</source>
@@ -1597,6 +1589,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Multiplicity</source>
         <translation>Večkratnost</translation>
+    </message>
+    <message>
+        <source>One of these is needed: %1.</source>
+        <translation>Potrebno je eno od tega: %1.</translation>
     </message>
 </context>
 <context>
@@ -2552,6 +2548,18 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
 </context>
 <context>
+    <name>kriva::ui::FramesField</name>
+    <message numerus="yes">
+        <source>At most %n frame(s): stages, such as 0; 5 or 0..10, or values of t, such as t = 0.25; 0.5.</source>
+        <translation>
+            <numerusform>Največ %n sličica: stopnje animacije, na primer 0; 5 ali 0..10, ali vrednosti t, na primer t = 0,25; 0,5.</numerusform>
+            <numerusform>Največ %n sličici: stopnje animacije, na primer 0; 5 ali 0..10, ali vrednosti t, na primer t = 0,25; 0,5.</numerusform>
+            <numerusform>Največ %n sličice: stopnje animacije, na primer 0; 5 ali 0..10, ali vrednosti t, na primer t = 0,25; 0,5.</numerusform>
+            <numerusform>Največ %n sličic: stopnje animacije, na primer 0; 5 ali 0..10, ali vrednosti t, na primer t = 0,25; 0,5.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::GuidePanel</name>
     <message>
         <source>Guide</source>
@@ -2659,6 +2667,27 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
 </context>
 <context>
+    <name>kriva::ui::NumberListField</name>
+    <message numerus="yes">
+        <source>%n number(s) from %1 to %2, with semicolons between them.</source>
+        <translation>
+            <numerusform>%n število od %1 do %2, med njimi podpičja.</numerusform>
+            <numerusform>%n števili od %1 do %2, med njimi podpičja.</numerusform>
+            <numerusform>%n števila od %1 do %2, med njimi podpičja.</numerusform>
+            <numerusform>%n števil od %1 do %2, med njimi podpičja.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n number(s) above %1 and below %2, with semicolons between them.</source>
+        <translation>
+            <numerusform>Največ %n število nad %1 in pod %2, med njimi podpičja.</numerusform>
+            <numerusform>Največ %n števili nad %1 in pod %2, med njimi podpičja.</numerusform>
+            <numerusform>Največ %n števila nad %1 in pod %2, med njimi podpičja.</numerusform>
+            <numerusform>Največ %n števil nad %1 in pod %2, med njimi podpičja.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::Player</name>
     <message>
         <source>%1×</source>
@@ -2735,6 +2764,13 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Export the plot</source>
         <translation>Izvozi graf</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::PointsModel</name>
+    <message>
+        <source>New point</source>
+        <translation>Nova točka</translation>
     </message>
 </context>
 <context>

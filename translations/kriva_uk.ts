@@ -1372,10 +1372,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Ця крива йде за своїми точками; перетягуйте їх</translation>
     </message>
     <message>
-        <source>The blossom needs as many numbers as the degree</source>
-        <translation>Полярна форма потребує стільки чисел, який степінь</translation>
-    </message>
-    <message>
         <source>The shape changes by at most %1</source>
         <translation>Форма змінюється щонайбільше на %1</translation>
     </message>
@@ -1470,10 +1466,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Ctrl: steps of 15°   Ctrl+Alt: keep the angle   Alt: leave the other handle   Space: carry the knot</source>
         <translation>Ctrl: кроки по 15°   Ctrl+Alt: зберігає кут   Alt: лишає інший маркер   Пробіл: рухає й вузол</translation>
-    </message>
-    <message>
-        <source>Further t are numbers between 0 and 1, at most %1 of them</source>
-        <translation>Інші t — це числа між 0 і 1, щонайбільше %1</translation>
     </message>
     <message>
         <source>Click: how this point is worked out, in Tables</source>
@@ -1596,6 +1588,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Multiplicity</source>
         <translation>Кратність</translation>
+    </message>
+    <message>
+        <source>One of these is needed: %1.</source>
+        <translation>Потрібне одне з цього: %1.</translation>
     </message>
 </context>
 <context>
@@ -2551,6 +2547,17 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>kriva::ui::FramesField</name>
+    <message numerus="yes">
+        <source>At most %n frame(s): stages, such as 0; 5 or 0..10, or values of t, such as t = 0.25; 0.5.</source>
+        <translation>
+            <numerusform>Щонайбільше %n кадр: етапи, наприклад 0; 5 або 0..10, або значення t, наприклад t = 0,25; 0,5.</numerusform>
+            <numerusform>Щонайбільше %n кадри: етапи, наприклад 0; 5 або 0..10, або значення t, наприклад t = 0,25; 0,5.</numerusform>
+            <numerusform>Щонайбільше %n кадрів: етапи, наприклад 0; 5 або 0..10, або значення t, наприклад t = 0,25; 0,5.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::GuidePanel</name>
     <message>
         <source>Guide</source>
@@ -2657,6 +2664,25 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>kriva::ui::NumberListField</name>
+    <message numerus="yes">
+        <source>%n number(s) from %1 to %2, with semicolons between them.</source>
+        <translation>
+            <numerusform>%n число від %1 до %2, розділені крапкою з комою.</numerusform>
+            <numerusform>%n числа від %1 до %2, розділені крапкою з комою.</numerusform>
+            <numerusform>%n чисел від %1 до %2, розділені крапкою з комою.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n number(s) above %1 and below %2, with semicolons between them.</source>
+        <translation>
+            <numerusform>Щонайбільше %n число понад %1 і менше %2, між числами крапка з комою.</numerusform>
+            <numerusform>Щонайбільше %n числа понад %1 і менше %2, між числами крапка з комою.</numerusform>
+            <numerusform>Щонайбільше %n чисел понад %1 і менше %2, між числами крапка з комою.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::Player</name>
     <message>
         <source>%1×</source>
@@ -2733,6 +2759,13 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Export the plot</source>
         <translation>Експортувати графік</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::PointsModel</name>
+    <message>
+        <source>New point</source>
+        <translation>Нова точка</translation>
     </message>
 </context>
 <context>

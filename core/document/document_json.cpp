@@ -46,13 +46,20 @@ void readSheet(const JsonNode& node, SheetIndex index, Sheet& sheet) {
         object.require("curves").refuse(error->problem, error->numbers);
 }
 
+/// The first with a curve; the first of all where none has one.
+SheetIndex sheetToOpenOn(const Document& document) {
+    const auto found = std::ranges::find_if(document.sheets, [](const Sheet& sheet) { return !sheet.curves.empty(); });
+    return found == document.sheets.end() ? 0 : static_cast<SheetIndex>(found - document.sheets.begin());
+}
+
 Document readChecked(const JsonNode& root) {
     const JsonObject object(root, {"format", "version", "title", "active", "sheets"});
     requireFormat(object, "kriva", kFormatVersion);
     Document document;
     if (const JsonNode* title = object.find("title"))
         document.title = title->text();
-    if (const JsonNode* active = object.find("active"))
+    const JsonNode* active = object.find("active");
+    if (active)
         document.active = readSheetName(*active);
     if (const JsonNode* sheets = object.find("sheets")) {
         const JsonObject byName(*sheets, sheetNames());
@@ -60,6 +67,8 @@ Document readChecked(const JsonNode& root) {
             if (const JsonNode* sheet = byName.find(sheetName(index)))
                 readSheet(*sheet, index, document.sheets[index]);
     }
+    if (!active)
+        document.active = sheetToOpenOn(document);
     return document;
 }
 

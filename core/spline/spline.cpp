@@ -16,22 +16,27 @@ const Points* replacedInner(const SplineCurve& curve, std::size_t segment) {
     return found == curve.inner.end() ? nullptr : &found->second;
 }
 
-/// The segments before their degree is raised, seen from their first knots.
-std::vector<Points> plainPolygons(const SplineCurve& curve) {
+/// The segments before their degree is raised, seen from their first knots, one after the other in the same place:
+/// visit(Points& polygon, std::size_t segment).
+template <class Visit>
+void forEachPlainPolygon(const SplineCurve& curve, Visit visit) {
+    if (isIncomplete(curve))
+        return;
     const Point origin;
     const std::vector<Vector> chords = chordsOf(curve);
-    std::vector<Points> polygons;
-    polygons.reserve(chords.size());
-    if (curve.degree == 2) {
-        for (std::size_t i = 0; const Vector middle : quadraticMiddles(chords))
-            polygons.push_back({origin, origin + middle, origin + chords[i++]});
-        return polygons;
+    const bool isQuadratic = curve.degree == 2;
+    const std::vector<Vector> middles = isQuadratic ? quadraticMiddles(chords) : std::vector<Vector>();
+    const std::vector<SegmentHandles> handles =
+        isQuadratic ? std::vector<SegmentHandles>() : cubicHandles(curve, chords);
+    Points polygon;
+    for (std::size_t i = 0; i < chords.size(); ++i) {
+        const Vector chord = chords[i];
+        if (isQuadratic)
+            polygon.assign({origin, origin + middles[i], origin + chord});
+        else
+            polygon.assign({origin, origin + handles[i].out, origin + (chord + handles[i].in), origin + chord});
+        visit(polygon, i);
     }
-    for (std::size_t i = 0; const SegmentHandles& handles : cubicHandles(curve, chords)) {
-        const Vector chord = chords[i++];
-        polygons.push_back({origin, origin + handles.out, origin + (chord + handles.in), origin + chord});
-    }
-    return polygons;
 }
 
 /// Raises a segment to the curve's degree and puts in what replaces its inner points.
@@ -45,11 +50,12 @@ void raise(Points& polygon, const SplineCurve& curve, std::size_t segment) {
 
 /// The segments seen from their first knots; none while the curve is incomplete.
 std::vector<Points> localPolygons(const SplineCurve& curve) {
-    if (isIncomplete(curve))
-        return {};
-    std::vector<Points> polygons = plainPolygons(curve);
-    for (std::size_t i = 0; i < polygons.size(); ++i)
-        raise(polygons[i], curve, i);
+    std::vector<Points> polygons;
+    polygons.reserve(segmentCount(curve));
+    forEachPlainPolygon(curve, [&](Points& polygon, std::size_t segment) {
+        raise(polygon, curve, segment);
+        polygons.push_back(polygon);
+    });
     return polygons;
 }
 
@@ -126,18 +132,30 @@ std::vector<Points> segmentsOf(const SplineCurve& curve) {
     return segments;
 }
 
+Path pathOf(const SplineCurve& curve) {
+    const std::size_t count = segmentCount(curve);
+    Path path{{}, std::vector<int>(count, curve.degree), curve.closed};
+    path.points.reserve(count * static_cast<std::size_t>(curve.degree) + 1);
+    forEachPlainPolygon(curve, [&](Points& polygon, std::size_t segment) {
+        raise(polygon, curve, segment);
+        moveToKnots(polygon, curve, segment);
+        path.points.insert(path.points.end(), polygon.begin() + (segment == 0 ? 0 : 1), polygon.end());
+    });
+    return path;
+}
+
 std::vector<Points> shapesOf(const SplineCurve& curve) {
-    if (isIncomplete(curve))
-        return {};
-    std::vector<Points> shapes = plainPolygons(curve);
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
+    std::vector<Points> shapes;
+    shapes.reserve(segmentCount(curve));
+    forEachPlainPolygon(curve, [&](Points& polygon, std::size_t i) {
         const SplineKnot& from = curve.knots[i];
         const SplineKnot& to = knotAfter(curve, i);
         if (replacedInner(curve, i))
-            raise(shapes[i], curve, i);
+            raise(polygon, curve, i);
         else if (curve.degree > 2 && !isAutomatic(from) && !isAutomatic(to))
-            shapes[i] = {from.at, from.out.value_or(from.at), to.in.value_or(to.at), to.at};
-    }
+            polygon.assign({from.at, from.out.value_or(from.at), to.in.value_or(to.at), to.at});
+        shapes.push_back(polygon);
+    });
     return shapes;
 }
 

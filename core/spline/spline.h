@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/document/view/style.h"
-#include "core/figure/caption.h"
+#include "core/figure/figure.h"
 #include "core/geometry/point.h"
 #include "core/spline/continuity.h"
 
@@ -88,6 +88,9 @@ struct SplineChain {
 
 /// The segments alone, in half the time.
 [[nodiscard]] std::vector<Points> segmentsOf(const SplineCurve& curve);
+
+/// The same as a path, which holds the points of all segments in one list.
+[[nodiscard]] Path pathOf(const SplineCurve& curve);
 
 /// The segments for measuring what depends on their shape alone, each at a place of its own: where some control points
 /// of a segment are not given by the curve, they are told relative to its first knot, so that it keeps its digits far

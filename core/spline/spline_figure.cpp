@@ -37,12 +37,17 @@ Points knotPoints(const SplineCurve& curve) {
 }
 
 /// All segments' polygons in one stroke, since each starts where the one before ended.
-Layer polygonLayer(const std::vector<Points>& segments) {
-    Points polygon{segments.front().front()};
-    polygon.reserve(segments.size() * (segments.front().size() - 1) + 1);
-    for (const Points& segment : segments)
-        polygon.insert(polygon.end(), segment.begin() + 1, segment.end());
-    return {"control-polygon", {{polyline(polygon), Role::controlPolygon}}};
+Layer polygonLayer(const Path& path) {
+    Path polygon{path.points, std::vector<int>(path.points.size() - 1, 1), false};
+    Layer layer{"control-polygon"};
+    layer.strokes.push_back({std::move(polygon), Role::controlPolygon});
+    return layer;
+}
+
+Layer curveLayer(const SplineCurve& curve, Path path, const FigureContext& context) {
+    Layer layer{kCurveLayer};
+    layer.strokes.push_back({std::move(path), Role::curve, 0, 1, curve.style, context.curve});
+    return layer;
 }
 
 /// The handles in the order of the curve.
@@ -60,8 +65,7 @@ Points handlePoints(std::span<const KnotHandles> handles) {
 }
 
 /// The control polygon of a cubic has the lines to its handles; higher degrees get their own.
-Layer handlesLayer(const SplineCurve& curve, const std::vector<Points>& segments,
-                   std::span<const KnotHandles> handles) {
+Layer handlesLayer(const SplineCurve& curve, const Path& path, std::span<const KnotHandles> handles) {
     Layer layer{"handles"};
     layer.marks.push_back({handlePoints(handles), Role::handle});
     if (innerCount(curve.degree) == 0)
@@ -72,8 +76,8 @@ Layer handlesLayer(const SplineCurve& curve, const std::vector<Points>& segments
         layer.strokes.push_back({polyline(line), Role::handle});
     }
     Points inner;
-    for (const Points& segment : segments)
-        std::ranges::copy(innerOf(segment), std::back_inserter(inner));
+    forEachPiece(
+        path, [&](std::span<const Point> segment) { std::ranges::copy(innerOf(segment), std::back_inserter(inner)); });
     layer.marks.push_back({std::move(inner), Role::point});
     return layer;
 }
@@ -94,26 +98,25 @@ Layer endDerivativesLayer(const SplineCurve& curve, std::span<const KnotHandles>
 }
 
 /// K_i at the knots, P_i at the handles (the middle points of parabolas) and c_i half way along the segments.
-Layer labelsLayer(const SplineCurve& curve, const std::vector<Points>& segments, std::span<const KnotHandles> handles) {
+Layer labelsLayer(const SplineCurve& curve, const Path& path, std::span<const KnotHandles> handles) {
     Layer layer{"labels", {}, {}, indexedLabels("K", knotPoints(curve))};
     Points placed = handlePoints(handles);
     Points halfway;
-    for (const Points& segment : segments) {
+    forEachPiece(path, [&](std::span<const Point> segment) {
         if (curve.degree == 2)
             placed.push_back(segment[1]);
         halfway.push_back(evaluate(segment, 0.5));
-    }
+    });
     for (const std::vector<Label>& labels : {indexedLabels("P", placed, Role::handle), indexedLabels("c", halfway)})
         layer.labels.insert(layer.labels.end(), labels.begin(), labels.end());
     return layer;
 }
 
 /// What lies under the curve.
-void addBeneath(Figure& figure, const SplineCurve& curve, const std::vector<Points>& segments,
-                const FigureContext& context) {
+void addBeneath(Figure& figure, const SplineCurve& curve, const FigureContext& context) {
     if (isDrawn("curvature-comb", kLayers, context))
         figure.layers.push_back(
-            curvatureCombLayer(segments, shapesOf(curve), context.view ? context.view->combScale : 1));
+            curvatureCombLayer(segmentsOf(curve), shapesOf(curve), context.view ? context.view->combScale : 1));
     if (isDrawn("all-rules", kLayers, context))
         figure.layers.push_back(allRulesLayer(curve));
 }
@@ -138,26 +141,31 @@ std::span<const LayerInfo> layersOf(const SplineCurve&) {
 }
 
 Figure figureOf(const SplineCurve& curve, const FigureContext& context) {
-    const std::vector<Points> segments = segmentsOf(curve);
+    Path path = pathOf(curve);
     const std::vector<KnotHandles> handles = knotHandles(curve);
     Figure figure;
+    std::optional<Layer> labels;
+    if (context.isActive && curve.knots.size() <= kMostLabelledPoints)
+        labels = labelsLayer(curve, path, handles);
     if (!isIncomplete(curve)) {
-        addBeneath(figure, curve, segments, context);
-        figure.layers.push_back(polygonLayer(segments));
-        figure.layers.push_back(
-            {kCurveLayer, {{chain(segments, curve.closed), Role::curve, 0, 1, curve.style, context.curve}}});
+        addBeneath(figure, curve, context);
+        figure.layers.push_back(polygonLayer(path));
+        Layer ofHandles = handlesLayer(curve, path, handles);
+        figure.layers.push_back(curveLayer(curve, std::move(path), context));
         if (isDrawn("polyline", kLayers, context))
             figure.layers.push_back(
-                polylineLayer(segments, (context.view ? *context.view : SheetView()).polylinePoints));
+                polylineLayer(segmentsOf(curve), (context.view ? *context.view : SheetView()).polylinePoints));
         if (context.isActive)
             figure.layers.push_back(endDerivativesLayer(curve, handles));
-        figure.layers.push_back(handlesLayer(curve, segments, handles));
+        figure.layers.push_back(std::move(ofHandles));
     }
-    figure.layers.push_back({"knots", {}, {{knotPoints(curve), Role::knot}}});
+    Layer knots{"knots"};
+    knots.marks.push_back({knotPoints(curve), Role::knot});
+    figure.layers.push_back(std::move(knots));
     if (!isIncomplete(curve))
         addOnTop(figure, curve, context);
-    if (context.isActive && curve.knots.size() <= kMostLabelledPoints)
-        figure.layers.push_back(labelsLayer(curve, segments, handles));
+    if (labels)
+        figure.layers.push_back(std::move(*labels));
     return figure;
 }
 

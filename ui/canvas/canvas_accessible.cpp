@@ -141,7 +141,7 @@ class CanvasInterface : public QAccessibleWidget {
     }
     [[nodiscard]] QAccessibleInterface* focusChild() const override {
         const Selection& selection = view_.selection();
-        return selection.size() == 1 && view_.hasFocus() ? ofPoint(*selection.begin()) : nullptr;
+        return selection.size() == 1 && view_.hasFocus() ? ofPoint(selection.front()) : nullptr;
     }
 
     [[nodiscard]] QAccessibleInterface* ofCurve(Serial serial) const {

@@ -52,7 +52,7 @@ void CanvasView::setSelection(Selection selection) {
     const bool isOne = selection.size() == 1 && selection != scene_.selection();
     scene_.setSelection(std::move(selection));
     if (isOne)
-        announcePoint(*this, *scene_.selection().begin());
+        announcePoint(*this, scene_.selection().front());
 }
 
 void CanvasView::choose(const GripRef& grip) {

@@ -109,7 +109,7 @@ Selection pointsIn(const QRectF& rectangle, std::span<const HitTarget> targets, 
     for (const HitTarget& target : targets)
         for (const Grip& grip : target.grips)
             if (grip.id.kind == GripKind::point && rectangle.contains(viewport.toPixels(grip.at)))
-                inside.insert(inside.end(), {target.serial, grip.id});
+                inside.insert({target.serial, grip.id});
     return inside;
 }
 

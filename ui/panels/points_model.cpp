@@ -41,9 +41,15 @@ PointsModel::PointsModel(SheetEditor& editor, std::vector<PointColumn> columns, 
     : QAbstractTableModel(parent)
     , editor_(editor)
     , columns_(std::move(columns)) {
-    // Another curve may have the same points with other joins.
+    // Another curve may have the same points with other joins. What was begun for a curve is no point of another one.
     const auto followAll = [this] {
+        const Serial active = editor_.activeSerial();
+        const bool isOther = std::exchange(serial_, active) != active;
+        if (isOther)
+            clearDraft();
         follow();
+        if (isOther && !isAddingDraft_)
+            Q_EMIT otherCurveShown();
         tellChanged(0, rowCount() - 1);
     };
     const auto followAllOfMine = [this, followAll](SheetIndex sheet) {
@@ -57,6 +63,7 @@ PointsModel::PointsModel(SheetEditor& editor, std::vector<PointColumn> columns, 
         if (sheet == editor_.index())
             follow();
     });
+    serial_ = editor.activeSerial();
     follow();
 }
 
@@ -64,14 +71,16 @@ void PointsModel::follow() {
     const Curve* curve = editor_.activeCurve();
     Points now = curve ? pointsOf(*curve) : Points();
     const int rows = static_cast<int>(now.size());
-    const int before = rowCount();
+    const int before = pointRows();
     if (rows == before) {
         const auto [first, last] = differingRows(std::exchange(shown_, std::move(now)), shown_);
         tellChanged(first, last);
         return;
     }
     if (rows > before) {
-        beginInsertRows({}, before, rows - 1);
+        // The new row stays the last one, with whoever is typing in it, unless it is what becomes a point.
+        const int first = isAddingDraft_ ? before + 1 : before;
+        beginInsertRows({}, first, first + rows - before - 1);
         shown_ = std::move(now);
         endInsertRows();
     } else {
@@ -79,7 +88,7 @@ void PointsModel::follow() {
         shown_ = std::move(now);
         endRemoveRows();
     }
-    tellChanged(0, rows - 1);
+    tellChanged(0, rows);
 }
 
 void PointsModel::tellChanged(int first, int last) {
@@ -103,7 +112,11 @@ Point PointsModel::pointAt(int row) const {
 QVariant PointsModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::TextAlignmentRole)
         return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-    if (!index.isValid() || (role != Qt::DisplayRole && role != Qt::EditRole && role != Qt::ToolTipRole))
+    if (!index.isValid())
+        return {};
+    if (index.row() == newRow())
+        return draftData(index.column(), role);
+    if (role != Qt::DisplayRole && role != Qt::EditRole && role != Qt::ToolTipRole)
         return {};
     const Curve* curve = editor_.activeCurve();
     if (!curve || index.row() >= static_cast<int>(pointCount(*curve)))
@@ -111,20 +124,37 @@ QVariant PointsModel::data(const QModelIndex& index, int role) const {
     if (index.column() >= kOwnColumns)
         return columns_[ownColumn(index.column())].text(*curve, index.row());
     const Point point = pointAt(index.row());
-    const double number = index.column() == kX ? point.x : point.y;
+    return coordinateData(index.column() == kX ? point.x : point.y, role);
+}
+
+QVariant PointsModel::draftData(int column, int role) const {
+    if (role == Qt::AccessibleTextRole || role == Qt::AccessibleDescriptionRole || role == Qt::ToolTipRole)
+        return tr("New point");
+    const std::optional<double> number = column < kOwnColumns ? draft_[static_cast<std::size_t>(column)] : std::nullopt;
+    return number ? coordinateData(*number, role) : QVariant();
+}
+
+QVariant PointsModel::coordinateData(double number, int role) const {
     switch (role) {
     case Qt::EditRole:
         return number;
     case Qt::ToolTipRole:
         return formatNumber(number);
-    default:
+    case Qt::DisplayRole:
         return shownNumber(number, kDigits);
+    default:
+        return {};
     }
 }
 
 bool PointsModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    if (!index.isValid() || role != Qt::EditRole)
+    if (!index.isValid() || role != Qt::EditRole || !flags(index).testFlag(Qt::ItemIsEditable))
         return false;
+    if (index.row() == newRow()) {
+        draft_[static_cast<std::size_t>(index.column())] = value.toDouble();
+        addDraft();
+        return true;
+    }
     if (index.column() >= kOwnColumns) {
         const PointColumn& column = columns_[ownColumn(index.column())];
         std::optional<Curve> changed = column.withText(*editor_.activeCurve(), index.row(), value.toString());
@@ -138,7 +168,46 @@ bool PointsModel::setData(const QModelIndex& index, const QVariant& value, int r
     return true;
 }
 
+/// Where the sheet refuses it, the row keeps what was typed.
+void PointsModel::addDraft() {
+    if (!draft_[kX] || !draft_[kY])
+        return tellChanged(newRow(), newRow());
+    const auto kept = std::exchange(draft_, {});
+    isAddingDraft_ = true;
+    const bool isAdded = editor_.addPoint({*kept[kX], *kept[kY]});
+    isAddingDraft_ = false;
+    if (isAdded) {
+        Q_EMIT pointAdded();
+        return;
+    }
+    draft_ = kept;
+    tellChanged(newRow(), newRow());
+}
+
+void PointsModel::clearDraft() {
+    if (std::exchange(draft_, {}) != decltype(draft_)())
+        tellChanged(newRow(), newRow());
+}
+
+bool PointsModel::accepts(const QModelIndex& index, const QString& text) const {
+    const Curve* curve = editor_.activeCurve();
+    return curve && index.isValid() && index.row() < newRow() &&
+           columns_[ownColumn(index.column())].withText(*curve, index.row(), text).has_value();
+}
+
+QString PointsModel::needed(const QModelIndex& index) const {
+    const Curve* curve = editor_.activeCurve();
+    return curve && index.isValid() && index.row() < newRow()
+               ? columns_[ownColumn(index.column())].needed(*curve, index.row())
+               : QString();
+}
+
 QVariant PointsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation == Qt::Vertical && section == newRow()) {
+        if (role == Qt::AccessibleTextRole || role == Qt::ToolTipRole)
+            return tr("New point");
+        return role == Qt::DisplayRole ? QVariant(QStringLiteral("+")) : QVariant();
+    }
     if (role != Qt::DisplayRole)
         return {};
     if (orientation == Qt::Vertical)
@@ -149,7 +218,12 @@ QVariant PointsModel::headerData(int section, Qt::Orientation orientation, int r
 }
 
 Qt::ItemFlags PointsModel::flags(const QModelIndex& index) const {
-    return QAbstractTableModel::flags(index) | Qt::ItemIsEditable;
+    const Qt::ItemFlags known = QAbstractTableModel::flags(index);
+    if (!index.isValid() || index.row() < newRow())
+        return known | Qt::ItemIsEditable;
+    // There is no point to select yet, nor anything of it but its place.
+    const Qt::ItemFlags unselectable = known & ~Qt::ItemFlags(Qt::ItemIsSelectable);
+    return index.column() < kOwnColumns ? unselectable | Qt::ItemIsEditable : unselectable;
 }
 
 } // namespace kriva::ui

@@ -1,50 +1,36 @@
 #include "ui/panels/points_panel.h"
 
-#include "core/document/limits.h"
-#include "ui/panels/controls/number_field.h"
 #include "ui/sheets/sheet_editor.h"
 
 #include <QEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QStyledItemDelegate>
 
 #include <algorithm>
+#include <utility>
 
 namespace kriva::ui {
 namespace {
 
-/// Edits coordinates in the one number field, so that 0.5 and 0,5 mean the same here too.
-class CoordinateDelegate : public QStyledItemDelegate {
-  public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+constexpr Qt::KeyboardModifiers kOfShortcuts = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
 
-    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
-        auto* field = new NumberField(parent);
-        field->setRange({-limits::kNumber, limits::kNumber});
-        field->setFrame(false);
-        return field;
-    }
-    void setEditorData(QWidget* editor, const QModelIndex& index) const override {
-        static_cast<NumberField*>(editor)->setValue(index.data(Qt::EditRole).toDouble());
-    }
-    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {
-        auto* field = static_cast<NumberField*>(editor);
-        if (field->commit() && field->value() != index.data(Qt::EditRole).toDouble())
-            model->setData(index, field->value(), Qt::EditRole);
-    }
-};
+[[nodiscard]] bool isTyped(const QKeyEvent& key) {
+    const bool isText = !key.text().isEmpty() && key.text().front().isPrint() && !(key.modifiers() & kOfShortcuts);
+    return isText || key.key() == Qt::Key_F2;
+}
 
 } // namespace
 
 PointsPanel::PointsPanel(SheetEditor& editor, const std::vector<PointColumn>& columns, QWidget* parent)
     : QTableView(parent)
     , editor_(editor)
-    , model_(editor, columns) {
+    , model_(editor, columns)
+    , delegate_(new PointDelegate(model_, this)) {
     setObjectName(QStringLiteral("points"));
     // Rows that go take their marks with them, which is no wish of a person. The view hears of it after this.
     connect(&model_, &PointsModel::rowsAboutToBeRemoved, this, [this] { isShowingSelection_ = true; });
     setModel(&model_);
+    setItemDelegate(delegate_);
     setFrameShape(QFrame::NoFrame);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setAlternatingRowColors(true);
@@ -55,19 +41,22 @@ PointsPanel::PointsPanel(SheetEditor& editor, const std::vector<PointColumn>& co
     horizontalHeader()->setResizeContentsPrecision(0); // as wide as what is seen needs: there may be very many rows
     for (int column = PointsModel::kY + 1; column < model_.columnCount(); ++column)
         horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
-    auto* coordinates = new CoordinateDelegate(this);
-    setItemDelegateForColumn(PointsModel::kX, coordinates);
-    setItemDelegateForColumn(PointsModel::kY, coordinates);
+    connectModel();
+    retranslateUi();
+}
+
+void PointsPanel::connectModel() {
     connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &PointsPanel::takeSelection);
-    connect(&editor, &SheetEditor::selectionChanged, this, &PointsPanel::showSelection);
+    connect(&editor_, &SheetEditor::selectionChanged, this, &PointsPanel::showSelection);
     connect(&model_, &PointsModel::rowsRemoved, this, &PointsPanel::showSelection);
+    connect(&model_, &PointsModel::pointAdded, this, [this] { hasAddedPoint_ = true; });
+    connect(&model_, &PointsModel::otherCurveShown, delegate_, &PointDelegate::dropEditor);
     const auto ifMine = [this](SheetIndex sheet) {
         if (sheet == editor_.index())
             showSelection();
     };
-    connect(&editor.document(), &OpenDocument::curvesChanged, this, ifMine);
-    connect(&editor.document(), &OpenDocument::viewChanged, this, ifMine);
-    retranslateUi();
+    connect(&editor_.document(), &OpenDocument::curvesChanged, this, ifMine);
+    connect(&editor_.document(), &OpenDocument::viewChanged, this, ifMine);
 }
 
 bool PointsPanel::event(QEvent* event) {
@@ -88,33 +77,88 @@ void PointsPanel::retranslateUi() {
     model_.retranslate();
 }
 
+/// Neighbours are one range: each range is looked at in every repaint.
 void PointsPanel::showSelection() {
+    const std::vector<int> points = editor_.selectedPoints();
     QItemSelection rows;
-    const int last = model_.columnCount() - 1;
-    for (const int point : editor_.selectedPoints())
-        if (point < model_.rowCount())
-            rows.select(model_.index(point, 0), model_.index(point, last));
-    isShowingSelection_ = true; // the view must hear of it, but it is no wish of a person
-    selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+    for (auto first = points.begin(); first != points.end();) {
+        const auto gap = std::adjacent_find(first, points.end(), [](int a, int b) { return b != a + 1; });
+        const auto last = gap == points.end() ? points.end() - 1 : gap;
+        if (*last < model_.pointRows())
+            rows.append(QItemSelectionRange(model_.index(*first, 0), model_.index(*last, model_.columnCount() - 1)));
+        first = last + 1;
+    }
+    const bool wasShowing = std::exchange(isShowingSelection_, true); // the view must hear of it, but nobody wished it
+    if (wasShowing || !isTakingSelection_)
+        selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
     isShowingSelection_ = false;
-    if (!rows.isEmpty())
-        scrollTo(rows.last().topLeft());
+    if (rows.isEmpty() || isTakingSelection_)
+        return;
+    scrollTo(rows.last().bottomRight().siblingAtColumn(0));
+    if (state() != EditingState && !selectionModel()->isSelected(currentIndex()))
+        makeCurrent(rows.first().top(), std::max(0, currentIndex().column()));
+}
+
+Selection PointsPanel::markedPoints() const {
+    std::vector<GripRef> marked;
+    for (const QItemSelectionRange& range : selectionModel()->selection())
+        for (int row = range.top(); row <= std::min(range.bottom(), model_.pointRows() - 1); ++row)
+            marked.push_back({editor_.activeSerial(), {GripKind::point, row}});
+    return Selection(std::move(marked));
 }
 
 void PointsPanel::takeSelection() {
     if (isShowingSelection_)
         return;
-    Selection chosen;
-    for (const QModelIndex& row : selectionModel()->selectedRows())
-        chosen.insert({editor_.activeSerial(), {GripKind::point, row.row()}});
-    editor_.select(std::move(chosen));
+    isTakingSelection_ = true;
+    editor_.select(markedPoints());
+    isTakingSelection_ = false;
+}
+
+void PointsPanel::makeCurrent(int row, int column) {
+    selectionModel()->setCurrentIndex(model_.index(row, column), QItemSelectionModel::NoUpdate);
+}
+
+void PointsPanel::aim() {
+    const QModelIndex current = currentIndex();
+    const bool isNew = current.row() == model_.newRow();
+    const bool isMeant = isNew ? current.column() <= PointsModel::kY : selectionModel()->isSelected(current);
+    if (!isMeant)
+        makeNewRowCurrent();
+}
+
+void PointsPanel::removeRows(Qt::KeyboardModifiers modifiers) {
+    if (currentIndex().row() == model_.newRow())
+        model_.clearDraft();
+    else
+        editor_.removeSelected(modifiers.testFlag(Qt::ControlModifier) ? Removal::plain : Removal::refitted);
 }
 
 void PointsPanel::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace)
-        editor_.removeSelected(event->modifiers().testFlag(Qt::ControlModifier) ? Removal::plain : Removal::refitted);
-    else
-        QTableView::keyPressEvent(event);
+        return removeRows(event->modifiers());
+    if (isTyped(*event))
+        aim();
+    QTableView::keyPressEvent(event);
+}
+
+void PointsPanel::inputMethodEvent(QInputMethodEvent* event) {
+    if (!event->commitString().isEmpty() || !event->preeditString().isEmpty())
+        aim();
+    QTableView::inputMethodEvent(event);
+}
+
+void PointsPanel::mousePressEvent(QMouseEvent* event) {
+    QTableView::mousePressEvent(event);
+    if (!indexAt(event->position().toPoint()).isValid())
+        makeNewRowCurrent(); // where what is typed next comes
+}
+
+void PointsPanel::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
+    QTableView::closeEditor(editor, hint);
+    const bool hasAddedPoint = std::exchange(hasAddedPoint_, false);
+    if (hint == QAbstractItemDelegate::SubmitModelCache && (hasAddedPoint || currentIndex().row() == model_.newRow()))
+        makeNewRowCurrent(); // Enter goes on with what is missing, of this point or of the next one
 }
 
 } // namespace kriva::ui

@@ -61,7 +61,7 @@ void CanvasContent::start() {
     showAll();
     followPage();
     canvas_.fitAll();
-    canvas_.setTool(sheet_.sheet().curves.empty() ? Tool::add : Tool::edit); // what there is to do first
+    canvas_.setTool(Tool::edit); // a click adds nothing that nobody asked for, in an empty sheet either
 }
 
 void CanvasContent::showAll() {

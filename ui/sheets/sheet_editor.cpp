@@ -13,9 +13,11 @@
 
 namespace kriva::ui {
 
-void SheetEditor::addPoint(Point at) {
-    if (beginAdding(at))
-        document().endGesture();
+bool SheetEditor::addPoint(Point at) {
+    if (!beginAdding(at))
+        return false;
+    document().endGesture();
+    return true;
 }
 
 bool SheetEditor::beginAdding(Point at) {
@@ -43,8 +45,7 @@ void SheetEditor::append(const Curve& points, const StepLabel& label) {
     if (!isDone)
         return;
     Selection added;
-    for (std::size_t i = before; i < pointCount(*activeCurve()); ++i)
-        added.insert(added.end(), {activeSerial(), {GripKind::point, static_cast<int>(i)}});
+    added.insertPoints(activeSerial(), static_cast<int>(before), static_cast<int>(pointCount(*activeCurve())));
     select(std::move(added));
 }
 
@@ -178,11 +179,13 @@ bool SheetEditor::closeAt(const GripRef& point) {
 }
 
 void SheetEditor::newCurve() {
-    addCurve(emptyCurve(index()), {QT_TRANSLATE_NOOP("Step", "New curve")});
+    if (addCurve(emptyCurve(index()), {QT_TRANSLATE_NOOP("Step", "New curve")}))
+        Q_EMIT drawingBegun();
 }
 
-void SheetEditor::addCurve(Curve curve, const StepLabel& label) {
-    document().add(index(), static_cast<int>(sheet().curves.size()), std::move(curve), label);
+bool SheetEditor::addCurve(Curve curve, const StepLabel& label) {
+    const int last = static_cast<int>(sheet().curves.size());
+    return document().add(index(), last, std::move(curve), label).has_value();
 }
 
 bool SheetEditor::addCurves(std::vector<Curve> curves, const StepLabel& label) {
@@ -248,6 +251,7 @@ void SheetEditor::clear() {
     for (const Serial serial : std::vector<Serial>(document().serials(index())))
         deleteCurve(serial);
     history.endMacro();
+    Q_EMIT drawingBegun();
 }
 
 } // namespace kriva::ui

@@ -13,7 +13,8 @@ class SheetEditor : public ShownSheet {
     using ShownSheet::ShownSheet;
 
     // Points.
-    void addPoint(Point at);
+    /// At the end of the active curve; false where it is refused.
+    bool addPoint(Point at);
     /// At the end of the active curve, as a gesture that goes on, with the point selected; false where it is refused.
     bool beginAdding(Point at);
     /// The points of a curve of this sheet behind those of the active one, in one step; they are selected.
@@ -47,8 +48,8 @@ class SheetEditor : public ShownSheet {
 
     // Curves.
     void newCurve();
-    /// Above the others.
-    void addCurve(Curve curve, const StepLabel& label);
+    /// Above the others; false where it is refused.
+    bool addCurve(Curve curve, const StepLabel& label);
     /// In one step; false where they are refused.
     bool addCurves(std::vector<Curve> curves, const StepLabel& label);
     void duplicateCurve(Serial serial);
@@ -68,6 +69,8 @@ class SheetEditor : public ShownSheet {
   Q_SIGNALS:
     /// Something worth telling in the status row happened.
     void hint(const kriva::ui::Hint& hint);
+    /// Room was made for a curve that is drawn next.
+    void drawingBegun();
 
   private:
     std::optional<int> beginInserting(Serial serial, std::optional<Edited<Curve>> edited, Point near);

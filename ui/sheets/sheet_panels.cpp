@@ -12,6 +12,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <utility>
 
 namespace kriva::ui {
 namespace {
@@ -77,6 +78,8 @@ void SheetPanels::add(Qt::DockWidgetArea area, std::initializer_list<NewPanel> g
             tab_.addDockWidget(area, dock);
         front = front ? front : dock;
         panels_.push_back({dock, panel.title});
+        QObject::connect(dock, &QDockWidget::topLevelChanged, dock,
+                         [entry = panels_.back(), title = ui_.title] { retitle(entry, title); });
         QObject::connect(dock, &QDockWidget::visibilityChanged, dock, [dock, make = panel.make](bool isVisible) {
             if (isVisible && !dock->widget()) {
                 dock->setWidget(make());
@@ -118,13 +121,39 @@ QList<QAction*> SheetPanels::actions() {
 }
 
 QByteArray SheetPanels::layout() const {
-    return isLaidOut() ? tab_.saveState() : layout_;
+    return isLaidOut() && isTabShown_ ? tab_.saveState() : layout_;
 }
 
 void SheetPanels::setLayout(const QByteArray& layout) {
     layout_ = layout;
-    if (isLaidOut())
-        tab_.restoreState(layout);
+    if (!isLaidOut())
+        return;
+    tab_.restoreState(layout);
+    if (!isTabShown_)
+        hideFloating();
+}
+
+void SheetPanels::setTabShown(bool isShown) {
+    if (!isLaidOut() || std::exchange(isTabShown_, isShown) == isShown)
+        return;
+    if (isShown) {
+        for (QDockWidget* dock : std::exchange(hiddenWithTab_, {}))
+            dock->show();
+    } else {
+        layout_ = tab_.saveState(); // as a person left it
+        hideFloating();
+    }
+}
+
+void SheetPanels::hideFloating() {
+    for (const Panel& panel : panels_) {
+        if (!panel.dock->isFloating() || panel.dock->isHidden())
+            continue;
+        if (QWidget* field = panel.dock->focusWidget())
+            field->clearFocus(); // what is typed is of the tab that is left
+        panel.dock->hide();
+        hiddenWithTab_.push_back(panel.dock);
+    }
 }
 
 void SheetPanels::reset() {
@@ -183,7 +212,16 @@ void SheetPanels::setExample(const Example* example) {
 
 void SheetPanels::retranslateUi() {
     for (const Panel& panel : panels_)
-        panel.dock->setWindowTitle(QCoreApplication::translate("SheetPanels", panel.title));
+        retitle(panel, ui_.title);
+}
+
+/// A window of its own says to which tab it belongs.
+void SheetPanels::retitle(const Panel& panel, const char* sheetTitle) {
+    const QString title = QCoreApplication::translate("SheetPanels", panel.title);
+    panel.dock->setWindowTitle(panel.dock->isFloating() ? QStringLiteral("%1 – %2").arg(
+                                                              title, QCoreApplication::translate("Sheet", sheetTitle))
+                                                        : title);
+    panel.dock->toggleViewAction()->setText(title); // in a menu that is the tab's already
 }
 
 } // namespace kriva::ui

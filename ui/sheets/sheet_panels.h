@@ -24,6 +24,8 @@ class SheetPanels {
     void make();
     /// The tab comes into sight: only now docks take the room that they are given. Where that has not been done.
     void layOut();
+    /// The tab comes into sight or goes out of it. Panels that float are windows of their own and go with it.
+    void setTabShown(bool isShown);
     /// What turns the panels on and off, in the order of the menu.
     [[nodiscard]] QList<QAction*> actions();
     /// How the panels lie, as QMainWindow::saveState() gives it.
@@ -57,6 +59,8 @@ class SheetPanels {
     };
     void fill();
     [[nodiscard]] bool isLaidOut() const { return !firstLayout_.isEmpty(); }
+    void hideFloating();
+    static void retitle(const Panel& panel, const char* sheetTitle);
     [[nodiscard]] QWidget* properties() const;
     [[nodiscard]] QWidget* plots();
     [[nodiscard]] QWidget* guide();
@@ -74,7 +78,9 @@ class SheetPanels {
     const Example* example_ = nullptr;
     FigureFileOptions exportedPlots_{.drawing = {.margin = 0}}; ///< how the last ones were
     QByteArray firstLayout_;
-    QByteArray layout_; ///< for the panels once they are made
+    QByteArray layout_; ///< for the panels once they are made, or shown again
+    bool isTabShown_ = true;
+    std::vector<QDockWidget*> hiddenWithTab_;
 };
 
 } // namespace kriva::ui

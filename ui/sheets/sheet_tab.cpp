@@ -20,6 +20,7 @@ SheetTab::SheetTab(OpenDocument& document, QThreadPool& workers, SheetIndex shee
     setCentralWidget(ruled_);
 
     connect(&editor_, &SheetEditor::hint, this, [this](const Hint& hint) { Q_EMIT told(hint.text()); });
+    connect(&editor_, &SheetEditor::drawingBegun, canvas_, [this] { canvas_->setTool(Tool::add); });
     retranslateUi();
 }
 
@@ -31,7 +32,13 @@ void SheetTab::setVisible(bool isVisible) {
 
 void SheetTab::showEvent(QShowEvent* event) {
     panels_.layOut();
+    panels_.setTabShown(true);
     QMainWindow::showEvent(event);
+}
+
+void SheetTab::hideEvent(QHideEvent* event) {
+    panels_.setTabShown(false);
+    QMainWindow::hideEvent(event);
 }
 
 void SheetTab::changeEvent(QEvent* event) {
@@ -118,9 +125,9 @@ void SheetTab::retractHandle(GripRef handle) {
 
 void SheetTab::select(Selection selection) {
     // Panels show the active curve: choosing points of another curve alone makes that one active.
-    const bool isOfOneCurve = !selection.empty() && selection.begin()->serial == selection.rbegin()->serial;
+    const bool isOfOneCurve = !selection.empty() && selection.front().serial == selection.back().serial;
     if (isOfOneCurve)
-        editor_.document().setActiveCurve(editor_.index(), selection.begin()->serial);
+        editor_.document().setActiveCurve(editor_.index(), selection.front().serial);
     editor_.select(std::move(selection));
 }
 

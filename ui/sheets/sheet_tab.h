@@ -44,6 +44,7 @@ class SheetTab : public QMainWindow, private CanvasClient {
   protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
   private:
     // What the canvas asks for.

@@ -1,5 +1,7 @@
 #include "ui/sheets/shown_sheet.h"
 
+#include <algorithm>
+
 namespace kriva::ui {
 
 ShownSheet::ShownSheet(OpenDocument& document, QThreadPool& workers, SheetIndex sheet, QObject* parent)
@@ -92,8 +94,7 @@ void ShownSheet::select(Selection selection) {
 Selection ShownSheet::allPoints() const {
     Selection all;
     if (const Curve* curve = activeCurve())
-        for (int i = 0; i < static_cast<int>(pointCount(*curve)); ++i)
-            all.insert({activeSerial(), {GripKind::point, i}});
+        all.insertPoints(activeSerial(), 0, static_cast<int>(pointCount(*curve)));
     return all;
 }
 
@@ -106,47 +107,59 @@ void ShownSheet::selectNone() {
 }
 
 void ShownSheet::invertSelection() {
-    Selection inverse = allPoints();
-    for (const GripRef& grip : selection_)
-        inverse.erase(grip);
-    select(std::move(inverse));
+    select(without(allPoints(), selection_));
+}
+
+bool ShownSheet::hasSelectedPoints() const {
+    const std::span<const GripRef> ofActive = selection_.ofCurve(activeSerial());
+    return !ofActive.empty() && ofActive.front().id.kind == GripKind::point;
 }
 
 std::vector<int> ShownSheet::selectedPoints() const {
     std::vector<int> points;
-    for (const GripRef& grip : selection_)
-        if (grip.serial == activeSerial() && grip.id.kind == GripKind::point)
-            points.push_back(grip.id.index);
+    for (const GripRef& grip : selection_.ofCurve(activeSerial())) {
+        if (grip.id.kind != GripKind::point)
+            break; // points come first
+        points.push_back(grip.id.index);
+    }
     return points;
 }
 
 std::vector<GripId> ShownSheet::selectedGrips(Serial serial) const {
-    std::vector<GripId> ids;
-    for (const GripRef& grip : selection_)
-        if (grip.serial == serial)
-            ids.push_back(grip.id);
+    const std::span<const GripRef> grips = selection_.ofCurve(serial);
+    std::vector<GripId> ids(grips.size());
+    std::ranges::transform(grips, ids.begin(), &GripRef::id);
     return ids;
 }
 
 void ShownSheet::dropLostSelection() {
-    Selection kept;
-    for (const GripRef& grip : selection_) {
-        const Curve* curve = document_.find(index_, grip.serial);
-        if (curve && grip.id.index < static_cast<int>(pointCount(*curve)))
-            kept.insert(grip);
-    }
-    select(std::move(kept));
+    Serial serial = 0;
+    int count = 0;
+    const auto isLost = [&](const GripRef& grip) {
+        if (grip.serial != serial) { // those of a curve come together
+            serial = grip.serial;
+            const Curve* curve = document_.find(index_, serial);
+            count = curve ? static_cast<int>(pointCount(*curve)) : 0;
+        }
+        return grip.id.index >= count;
+    };
+    Selection lost;
+    for (const GripRef& grip : selection_)
+        if (isLost(grip))
+            lost.insert(grip);
+    if (!lost.empty())
+        select(without(selection_, lost));
 }
 
 void ShownSheet::selectMapped(const Selection& selected, Serial serial, const IndexMap& map) {
-    Selection mapped;
+    std::vector<GripRef> mapped;
     for (GripRef grip : selected) {
         if (grip.serial == serial)
             grip.id.index = map(grip.id.index);
         if (grip.id.index != IndexMap::kGone)
-            mapped.insert(grip);
+            mapped.push_back(grip);
     }
-    select(std::move(mapped));
+    select(Selection(std::move(mapped)));
 }
 
 } // namespace kriva::ui

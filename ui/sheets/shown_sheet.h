@@ -48,6 +48,7 @@ class ShownSheet : public QObject {
     void selectAll();
     void selectNone();
     void invertSelection();
+    [[nodiscard]] bool hasSelectedPoints() const;
     /// Indices of the selected points of the active curve, ascending.
     [[nodiscard]] std::vector<int> selectedPoints() const;
     [[nodiscard]] std::vector<GripId> selectedGrips(Serial serial) const;

@@ -38,8 +38,11 @@ QString DocumentSession::name() const {
 }
 
 void DocumentSession::newDocument() {
-    if (mayClose())
-        show({});
+    if (!mayClose())
+        return;
+    Document empty;
+    empty.active = document_.value().active; // a person stays where they are
+    show(std::move(empty));
 }
 
 void DocumentSession::show(Document document) {

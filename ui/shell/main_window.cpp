@@ -239,7 +239,7 @@ void MainWindow::followHistory() {
 }
 
 void MainWindow::followSelection() {
-    actions_->deleteSelected->setEnabled(!currentTab().editor().selectedPoints().empty());
+    actions_->deleteSelected->setEnabled(currentTab().editor().hasSelectedPoints());
 }
 
 void MainWindow::showTheme() {

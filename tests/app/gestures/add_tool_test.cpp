@@ -103,6 +103,7 @@ TEST_F(AddToolOnSplines, theOutHandleOfANewKnotIsUnderThePointerAndTheInHandleMi
 
 TEST_F(AddToolOnSplines, theFirstKnotOfAnEmptySheetCanBePulled) {
     useEmptySheet();
+    canvas.setTool(Tool::add);
     drag({1, 1}, {2, 2});
     EXPECT_TRUE(isNear(*knot(0).out, {2, 2}));
     drag({4, 1}, {5, 1});

@@ -55,15 +55,30 @@ TEST_P(GestureTable, altClickOnTheCurveAddsAtTheEndToo) {
     expectOneStep("Add a point");
 }
 
-TEST_P(GestureTable, anEmptySheetStartsInTheAddTool) {
-    EXPECT_EQ(canvas.tool(), Tool::edit);
+TEST_P(GestureTable, anEmptySheetTakesNoPointByAccident) {
+    canvas.setTool(Tool::add);
     useEmptySheet();
-    EXPECT_EQ(canvas.tool(), Tool::add);
+    EXPECT_EQ(canvas.tool(), Tool::edit);
     click({1, 1});
+    EXPECT_EQ(tab.editor().activeCurve(), nullptr);
+    EXPECT_EQ(steps(), QStringList());
+    click({1, 1}, Qt::AltModifier);
     EXPECT_EQ(count(), 1);
     EXPECT_EQ(steps(), QStringList{QStringLiteral("Add a point")});
     document().undo();
     EXPECT_EQ(tab.editor().activeCurve(), nullptr);
+    doubleClick({1, 1});
+    EXPECT_EQ(count(), 1);
+}
+
+TEST_P(GestureTable, newCurveAndClearArmTheAddTool) {
+    for (const char* name : {"newCurve", "clearCanvas"}) {
+        canvas.setTool(Tool::edit);
+        action(name).trigger();
+        EXPECT_EQ(canvas.tool(), Tool::add) << name;
+        click({1, 1});
+        EXPECT_EQ(count(), 1);
+    }
 }
 
 TEST_P(GestureTable, altClickOnAPointAndDeleteRemoveIt) {

@@ -82,6 +82,17 @@ TEST(ReadDocument, readsTheActiveSheetAndTheTitle) {
     EXPECT_EQ(sheetName(document.active), "subdivision");
 }
 
+TEST(ReadDocument, withoutAnActiveSheetOpensOnTheFirstThatHasACurve) {
+    const auto activeOf = [](const std::string& members) {
+        return sheetName(documentOf(withMembers(members)).active);
+    };
+    EXPECT_EQ(activeOf(R"("sheets":{"combined":{"curves":[{}]},"spline":{"curves":[{}]}})"), "spline");
+    EXPECT_EQ(activeOf(R"("sheets":{"elevation":{"curves":[]},"combined":{"curves":[{}]}})"), "combined");
+    EXPECT_EQ(activeOf(R"("sheets":{"elevation":{"curves":[{}]},"combined":{"curves":[{}]}})"), "elevation");
+    EXPECT_EQ(activeOf(R"("sheets":{"combined":{"curves":[{}]}},"active":"elevation")"), "elevation");
+    EXPECT_EQ(activeOf(R"("sheets":{})"), "elevation");
+}
+
 TEST(ReadDocument, refusesWhatIsNoDocument) {
     struct Case {
         std::string text;

@@ -28,6 +28,12 @@ RC_GTEST_PROP(Spline, everySegmentRunsFromKnotToKnot, ()) {
     }
 }
 
+RC_GTEST_PROP(Spline, itsPathIsTheChainOfItsSegmentsBitForBit, ()) {
+    const SplineCurve curve = anySpline();
+    RC_ASSERT(pathOf(curve) == chain(solveSpline(curve).segments, curve.closed));
+    RC_ASSERT(segmentsOf(curve) == solveSpline(curve).segments);
+}
+
 RC_GTEST_PROP(Spline, storedHandlesAndInnerPointsStandBitForBit, ()) {
     const SplineCurve curve = anySpline();
     const SplineChain chain = solveSpline(curve);

@@ -1,5 +1,7 @@
 #include "ui/panels/controls/kept_choice.h"
 
+#include "ui/panels/controls/focused_wheel.h"
+
 #include <QSignalBlocker>
 
 #include <algorithm>
@@ -10,6 +12,7 @@ KeptChoice::KeptChoice(QWidget* parent)
     : QComboBox(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon); // a long name must not widen the panel
+    takeWheelWithFocusOnly(*this);
 }
 
 void KeptChoice::setNames(const QStringList& names) {

@@ -1,5 +1,6 @@
 #include "ui/panels/controls/labelled_form.h"
 
+#include "ui/panels/controls/focused_wheel.h"
 #include "ui/shell/look/plain_label.h"
 
 namespace kriva::ui {
@@ -8,6 +9,7 @@ void LabelledForm::addField(QWidget* field) {
     auto* label = new PlainLabel(field->parentWidget());
     label->setBuddy(field);
     addRow(label, field);
+    takeWheelWithFocusOnly(*field);
 }
 
 void LabelledForm::setLabel(QWidget* field, const QString& text) {

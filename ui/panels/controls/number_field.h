@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QLineEdit>
+#include "ui/panels/controls/checked_field.h"
 
 namespace kriva::ui {
 
@@ -12,14 +12,15 @@ struct NumberRange {
     bool isWhole = false;
 
     [[nodiscard]] bool contains(double value) const;
+    /// What is needed, in the present language.
+    [[nodiscard]] QString text() const;
     bool operator==(const NumberRange&) const = default;
 };
 
 /// The one field for numbers. It takes decimal point and comma alike, shows the decimal sign of the language and the
 /// fewest digits that read back as the same double, and applies nothing but what was typed: showing, focusing and
-/// leaving it changes no bit. Enter and leaving apply the typed text once, Escape takes it back, Up, Down and the wheel
-/// (of a focused field) step. What it refuses stays in place, marked, with the reason as tooltip and description.
-class NumberField : public QLineEdit {
+/// leaving it changes no bit. Up, Down and the wheel (of a focused field) step.
+class NumberField : public CheckedField {
     Q_OBJECT
 
   public:
@@ -30,37 +31,29 @@ class NumberField : public QLineEdit {
     void setStep(double step);
 
     [[nodiscard]] double value() const { return value_; }
-    /// Shows `value` without telling anyone. A text being typed stays if the value is the one already held.
+    /// Shows `value` without telling anyone; an empty text where it is no number (NaN), which nobody can type. A text
+    /// being typed stays if the value is the one already held.
     void setValue(double value);
-
-    /// Applies the typed text as Enter does. False if it is refused: then nothing was applied and it stays on show.
-    bool commit();
 
   Q_SIGNALS:
     /// The person applied another number than the one held.
     void valueCommitted(double value);
 
   protected:
-    bool event(QEvent* event) override;
-    void changeEvent(QEvent* event) override;
+    [[nodiscard]] bool accepts(const QString& text) const override;
+    [[nodiscard]] QString refusal() const override { return range_.text(); }
+    [[nodiscard]] QString heldText() const override;
+    void apply(const QString& text) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void focusOutEvent(QFocusEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
 
   private:
-    void retranslateUi();
-    void showValue();
-    void showVerdict();
     void stepBy(int steps);
-    void apply(double value);
-    [[nodiscard]] bool isEdited() const { return text() != shown_; }
-    [[nodiscard]] bool isAccepted() const;
-    [[nodiscard]] QString rangeText() const;
+    void take(double value);
 
     NumberRange range_;
     double step_ = 1;
     double value_ = 0;
-    QString shown_; ///< The text of value_; what differs from it was typed.
     int wheelAngle_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "ui/panels/controls/player.h"
 
+#include "ui/panels/controls/focused_wheel.h"
 #include "ui/shell/language/number_text.h"
 #include "ui/shell/look/icons.h"
 #include "ui/shell/look/plain_label.h"
@@ -62,6 +63,7 @@ Player::Player(QWidget* parent)
     keep_->setAutoRaise(false);
     speed_->setAlignment(Qt::AlignCenter);
     scrubber_->installEventFilter(this);
+    takeWheelWithFocusOnly(*scrubber_);
     scrubber_->setObjectName(QStringLiteral("scrubber"));
     setFocusPolicy(Qt::StrongFocus);
     timer_.setInterval(interval(pace_ * speedFactor_));

@@ -1,5 +1,6 @@
 #include "ui/panels/controls/slider_field.h"
 
+#include "ui/panels/controls/focused_wheel.h"
 #include "ui/shell/language/number_text.h"
 
 #include <QHBoxLayout>
@@ -40,6 +41,7 @@ SliderField::SliderField(QWidget* parent)
     layout->addWidget(field_);
     field_->setFixedWidth(kFieldWidth);
     slider_->setMinimumWidth(60);
+    takeWheelWithFocusOnly(*slider_);
     setFocusProxy(slider_);
     connect(less_, &QToolButton::clicked, this, [this] { stepBy(-1); });
     connect(more_, &QToolButton::clicked, this, [this] { stepBy(1); });

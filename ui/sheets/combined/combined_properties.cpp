@@ -97,9 +97,9 @@ void CombinedProperties::showCurve() {
 void CombinedProperties::dropCorrections() {
     CombinedCurve changed = curve<CombinedCurve>();
     std::vector<int> chosen;
-    for (const GripRef& grip : editor().selection())
-        if (grip.serial == editor().activeSerial() && grip.id.kind == GripKind::middle)
-            chosen.push_back(grip.id.index);
+    for (const GripId& grip : editor().selectedGrips(editor().activeSerial()))
+        if (grip.kind == GripKind::middle)
+            chosen.push_back(grip.index);
     if (chosen.empty())
         changed.corrections.clear();
     for (const int pair : chosen)

@@ -1,5 +1,6 @@
 #include "ui/sheets/properties/properties_panel.h"
 
+#include "ui/panels/controls/focused_wheel.h"
 #include "ui/shell/look/plain_label.h"
 
 #include <QCoreApplication>
@@ -34,6 +35,7 @@ void PropertiesPanel::addRow(const char* label, QWidget* field) {
     auto* text = new PlainLabel(this);
     text->setBuddy(field);
     layout_->addRow(text, field);
+    takeWheelWithFocusOnly(*field);
     rows_.push_back({text, label, field});
 }
 

@@ -32,6 +32,13 @@ PointColumn joinColumn() {
                 }
                 return {};
             },
+            [](const Curve&, int) {
+                QStringList joins;
+                for (std::size_t i = 0; i < kJoinTexts.size(); ++i)
+                    joins.append(joinText(static_cast<SplineKnot::Join>(i)));
+                return QCoreApplication::translate("PointColumn", "One of these is needed: %1.")
+                    .arg(joins.join(QStringLiteral(", ")));
+            },
             {QT_TRANSLATE_NOOP("Step", "Set the join")}};
 }
 

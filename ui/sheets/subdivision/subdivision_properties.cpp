@@ -1,7 +1,7 @@
 #include "ui/sheets/subdivision/subdivision_properties.h"
 
+#include "core/document/limits.h"
 #include "core/subdivision/subdivision_edits.h"
-#include "ui/sheets/subdivision/blossom_text.h"
 #include "ui/sheets/subdivision/subdivision_actions.h"
 #include "ui/shell/language/number_text.h"
 
@@ -27,10 +27,10 @@ SubdivisionProperties::SubdivisionProperties(SheetEditor& editor, QWidget* paren
     : PropertiesPanel(editor, parent)
     , t_(new SliderField(this))
     , levels_(new SliderField(this))
-    , further_(new QLineEdit(this))
+    , further_(new NumberListField(this))
     , multiplicity_(new NumberField(this))
     , hasBlossom_(new QCheckBox(this))
-    , blossom_(new QLineEdit(this))
+    , blossom_(new NumberListField(this))
     , playedBox_(new QComboBox(this))
     , player_(new Player(this)) {
     makeRows();
@@ -51,7 +51,10 @@ void SubdivisionProperties::makeRows() {
          [](const Curve& curve, double levels) { return Curve(withLevels(valueOf(curve), static_cast<int>(levels))); },
          {QT_TRANSLATE_NOOP("Step", "Set the levels")});
     addRow(QT_TRANSLATE_NOOP("Properties", "Further t"), further_);
-    connect(further_, &QLineEdit::editingFinished, this, &SubdivisionProperties::takeFurther);
+    further_->setRange({{0, 1, true, false}, 0, kMostParameters});
+    connect(further_, &NumberListField::numbersCommitted, this, [this](const std::vector<double>& parameters) {
+        this->editor().document().setParameters(this->editor().index(), parameters);
+    });
     showsCurve_ = addLayerBox("curve");
     showsPieces_ = addLayerBox("pieces");
     setTabOrder(further_, showsCurve_);
@@ -79,7 +82,10 @@ void SubdivisionProperties::makeBlossom() {
                         on ? StepLabel{QT_TRANSLATE_NOOP("Step", "Show the blossom")}
                            : StepLabel{QT_TRANSLATE_NOOP("Step", "Hide the blossom")});
     });
-    connect(blossom_, &QLineEdit::editingFinished, this, &SubdivisionProperties::takeBlossom);
+    connect(blossom_, &NumberListField::numbersCommitted, this, [this](const std::vector<double>& arguments) {
+        this->editor().change(withBlossom(curve<SubdivisionCurve>(), arguments),
+                              {QT_TRANSLATE_NOOP("Step", "Set the blossom")});
+    });
 }
 
 void SubdivisionProperties::makePlayer() {
@@ -113,7 +119,7 @@ void SubdivisionProperties::showCurve() {
     levels_->setRange({0, static_cast<double>(most), false, true});
     levels_->setSlider(0, most, 1);
     levels_->setValue(value.levels);
-    showFurther();
+    further_->setNumbers(editor().sheet().view.parameters);
     showMultiplicity();
     showBlossom();
     const bool overT = played() == Played::t;
@@ -147,41 +153,9 @@ void SubdivisionProperties::showBlossom() {
     hasBlossom_->setEnabled(!isIncomplete(value));
     hasBlossom_->setChecked(value.blossom.has_value());
     blossom_->setEnabled(value.blossom.has_value());
-    if (!blossom_->isModified())
-        blossom_->setText(value.blossom ? blossomText(*value.blossom) : QString());
-}
-
-void SubdivisionProperties::takeBlossom() {
-    if (!blossom_->isModified())
-        return;
-    blossom_->setModified(false);
-    const auto& value = curve<SubdivisionCurve>();
-    std::optional<std::vector<double>> arguments = blossomArguments(blossom_->text());
-    if (arguments && arguments->size() + 1 == controlPointCount(value))
-        editor().change(withBlossom(value, std::move(arguments)), {QT_TRANSLATE_NOOP("Step", "Set the blossom")});
-    else
-        Q_EMIT editor().hint({QT_TRANSLATE_NOOP("Hint", "The blossom needs as many numbers as the degree")});
-    showBlossom();
-}
-
-void SubdivisionProperties::showFurther() {
-    if (!further_->isModified())
-        further_->setText(blossomText(editor().sheet().view.parameters));
-}
-
-void SubdivisionProperties::takeFurther() {
-    if (!further_->isModified())
-        return;
-    further_->setModified(false);
-    const auto isBetween = [](double t) { return t > 0 && t < 1; };
-    const std::optional<std::vector<double>> parameters =
-        further_->text().trimmed().isEmpty() ? std::vector<double>() : blossomArguments(further_->text());
-    if (parameters && parameters->size() <= kMostParameters && std::ranges::all_of(*parameters, isBetween))
-        editor().document().setParameters(editor().index(), *parameters);
-    else
-        Q_EMIT editor().hint({QT_TRANSLATE_NOOP("Hint", "Further t are numbers between 0 and 1, at most %1 of them"),
-                              static_cast<double>(kMostParameters)});
-    showFurther();
+    const std::size_t degree = std::max<std::size_t>(controlPointCount(value), 1) - 1;
+    blossom_->setRange({{-limits::kNumber, limits::kNumber}, degree, degree});
+    blossom_->setNumbers(value.blossom.value_or(std::vector<double>()));
 }
 
 Curve SubdivisionProperties::stageCurve(int stage) const {

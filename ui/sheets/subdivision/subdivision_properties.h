@@ -1,10 +1,10 @@
 #pragma once
 
+#include "ui/panels/controls/number_list_field.h"
 #include "ui/panels/controls/player.h"
 #include "ui/sheets/properties/properties_panel.h"
 
 #include <QCheckBox>
-#include <QLineEdit>
 
 namespace kriva::ui {
 
@@ -28,9 +28,6 @@ class SubdivisionProperties : public PropertiesPanel {
     void makePlayer();
     void showMultiplicity();
     void showBlossom();
-    void takeBlossom();
-    void showFurther();
-    void takeFurther();
     void showStage(int stage);
     void keepStage();
     [[nodiscard]] Curve stageCurve(int stage) const;
@@ -41,12 +38,12 @@ class SubdivisionProperties : public PropertiesPanel {
     SliderField* t_;
     QPushButton* split_ = nullptr;
     SliderField* levels_;
-    QLineEdit* further_;
+    NumberListField* further_;
     QCheckBox* showsCurve_ = nullptr;
     QCheckBox* showsPieces_ = nullptr;
     NumberField* multiplicity_;
     QCheckBox* hasBlossom_;
-    QLineEdit* blossom_;
+    NumberListField* blossom_;
     QComboBox* playedBox_;
     Player* player_;
 };

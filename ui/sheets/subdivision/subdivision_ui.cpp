@@ -12,6 +12,10 @@
 namespace kriva::ui {
 namespace {
 
+NumberRange multiplicities(const SubdivisionCurve& curve, int point) {
+    return {1, static_cast<double>(mostMultiplicity(curve, std::span(&point, 1))), false, true};
+}
+
 PointColumn multiplicityColumn() {
     return {
         QT_TRANSLATE_NOOP("PointColumn", "Multiplicity"),
@@ -22,11 +26,11 @@ PointColumn multiplicityColumn() {
         [](const Curve& curve, int point, const QString& text) -> std::optional<Curve> {
             const auto& value = std::get<SubdivisionCurve>(curve);
             const std::optional<double> times = parseNumber(text);
-            const NumberRange range{1, static_cast<double>(mostMultiplicity(value, std::span(&point, 1))), false, true};
-            if (!times || !range.contains(*times))
+            if (!times || !multiplicities(value, point).contains(*times))
                 return {};
             return withMultiplicity(value, point, static_cast<int>(*times));
         },
+        [](const Curve& curve, int point) { return multiplicities(std::get<SubdivisionCurve>(curve), point).text(); },
         {QT_TRANSLATE_NOOP("Step", "Set the multiplicity")}};
 }
 

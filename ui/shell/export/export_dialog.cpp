@@ -1,7 +1,6 @@
 #include "ui/shell/export/export_dialog.h"
 
 #include "ui/figures/caption_text.h"
-#include "ui/figures/frame_text.h"
 #include "ui/shell/look/plain_label.h"
 
 #include <QEvent>
@@ -54,7 +53,7 @@ ExportDialog::ExportDialog(ExportSubject subject, const FigureFileOptions& optio
     , dpi_(new NumberField(this))
     , isTransparent_(new QCheckBox(this))
     , isFragment_(new QCheckBox(this))
-    , frames_(new QLineEdit(this))
+    , frames_(new FramesField(this))
     , isAnimated_(new QCheckBox(this))
     , frameSeconds_(new NumberField(this))
     , buttons_(new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this)) {
@@ -91,7 +90,7 @@ void ExportDialog::fill(const FigureFileOptions& options) {
     dpi_->setValue(options.dpi);
     isTransparent_->setChecked(options.isTransparent);
     isFragment_->setChecked(options.tikz == TikzKind::fragment);
-    frames_->setText(framePlacesText(options.frames));
+    frames_->setFrames(options.frames);
     isAnimated_->setChecked(options.isAnimated);
     frameSeconds_->setRange({kLeastFrameSeconds, kMostFrameSeconds});
     frameSeconds_->setValue(options.frameSeconds);
@@ -131,7 +130,7 @@ void ExportDialog::connectFields() {
     connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::showFormat);
     connect(theme_, &QComboBox::currentIndexChanged, this, &ExportDialog::showDrawing);
     connect(layers_, &QListWidget::itemChanged, this, &ExportDialog::showDrawing);
-    connect(frames_, &QLineEdit::textEdited, this, &ExportDialog::showFormat);
+    connect(frames_, &QLineEdit::textChanged, this, &ExportDialog::showFormat);
     // One of them decides.
     connect(hasOwnWidth_, &QCheckBox::toggled, this,
             [this](bool on) { hasOwnScale_->setChecked(hasOwnScale_->isChecked() && !on); });
@@ -265,7 +264,7 @@ FigureFileOptions ExportDialog::options() const {
     options.isTransparent = isTransparent_->isChecked();
     options.tikz = isFragment_->isChecked() ? TikzKind::fragment : TikzKind::standalone;
     if (subject_.hasFrames)
-        options.frames = readFramePlaces(frames_->text()).value_or(std::vector<FramePlace>());
+        options.frames = frames_->frames();
     options.isAnimated = isAnimated_->isChecked() && !options.frames.empty() && options.format == FigureFormat::svg;
     options.frameSeconds = frameSeconds_->value();
     return options;

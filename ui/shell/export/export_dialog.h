@@ -5,13 +5,13 @@
 #include "ui/panels/controls/labelled_form.h"
 #include "ui/panels/controls/number_field.h"
 #include "ui/shell/export/export_subject.h"
+#include "ui/shell/export/frames_field.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QLabel>
-#include <QLineEdit>
 #include <QListWidget>
 
 namespace kriva::ui {
@@ -61,7 +61,7 @@ class ExportDialog : public QDialog {
     NumberField* dpi_;
     QCheckBox* isTransparent_;
     QCheckBox* isFragment_;
-    QLineEdit* frames_;
+    FramesField* frames_;
     QCheckBox* isAnimated_;
     NumberField* frameSeconds_;
     QDialogButtonBox* buttons_;

@@ -122,13 +122,57 @@ TEST_F(NumberFieldTest, whatIsNoNumberOfTheRangeStaysMarkedAndIsNotApplied) {
         EXPECT_FALSE(field->commit());
         EXPECT_EQ(field->text(), text);
     }
-    leave();
     EXPECT_EQ(committed.size(), 0);
     EXPECT_EQ(field->value(), 0.1);
     EXPECT_TRUE(isMarked());
     field->setValue(3);
     EXPECT_FALSE(isMarked());
     EXPECT_TRUE(field->accessibleDescription().isEmpty());
+}
+
+TEST_F(NumberFieldTest, aRefusedTextGivesWayToWhatHoldsWhenTheFieldIsLeft) {
+    QSignalSpy committed(field, &NumberField::valueCommitted);
+    type(QStringLiteral("1001"));
+    press(Qt::Key_Return);
+    EXPECT_TRUE(isMarked());
+    leave();
+    EXPECT_EQ(field->text(), u"0.1");
+    EXPECT_FALSE(isMarked());
+    EXPECT_TRUE(field->accessibleDescription().isEmpty());
+    field->setFocus();
+    EXPECT_EQ(field->text(), u"0.1");
+    type(QStringLiteral("x"));
+    field->hide();
+    EXPECT_EQ(field->text(), u"0.1") << "a field that goes out of sight is left as well";
+    EXPECT_EQ(committed.size(), 0);
+}
+
+TEST_F(NumberFieldTest, aRefusedTextIsToldInTheLanguageAndGivesWayToAnotherValue) {
+    type(QStringLiteral("1000,5"));
+    EXPECT_TRUE(isMarked());
+    QLocale::setDefault(QLocale(QLocale::Slovenian));
+    QEvent change(QEvent::LanguageChange);
+    QApplication::sendEvent(field, &change);
+    EXPECT_EQ(field->text(), u"1000,5") << "still being typed";
+    EXPECT_TRUE(isMarked());
+    field->setValue(0.2); // as undo does
+    EXPECT_EQ(field->text(), u"0,2");
+    EXPECT_FALSE(isMarked());
+}
+
+TEST_F(NumberFieldTest, noNumberIsAnEmptyTextUntilOneIsTyped) {
+    field->setValue(std::nan(""));
+    EXPECT_EQ(field->text(), QString());
+    EXPECT_FALSE(isMarked());
+    QSignalSpy committed(field, &NumberField::valueCommitted);
+    press(Qt::Key_Up);
+    leave();
+    EXPECT_EQ(committed.size(), 0);
+    field->setFocus();
+    type(QStringLiteral("0"));
+    leave();
+    EXPECT_EQ(committed.size(), 1);
+    EXPECT_EQ(field->value(), 0);
 }
 
 TEST_F(NumberFieldTest, escapeBringsTheHeldNumberBack) {
