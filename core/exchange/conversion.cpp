@@ -10,11 +10,14 @@ Curve converted(const Curve& curve, SheetIndex sheet) {
 }
 
 Points pointsOf(const Curve& curve) {
-    Points points;
-    points.reserve(pointCount(curve));
-    for (std::size_t i = 0; i < pointCount(curve); ++i)
-        points.push_back(pointAt(curve, static_cast<int>(i)));
-    return points;
+    return std::visit(
+        [](const auto& c) {
+            Points points(pointCount(c));
+            for (std::size_t i = 0; i < points.size(); ++i)
+                points[i] = pointAt(c, static_cast<int>(i));
+            return points;
+        },
+        curve);
 }
 
 } // namespace kriva

@@ -84,8 +84,9 @@ void PointsPanel::showSelection() {
     for (auto first = points.begin(); first != points.end();) {
         const auto gap = std::adjacent_find(first, points.end(), [](int a, int b) { return b != a + 1; });
         const auto last = gap == points.end() ? points.end() - 1 : gap;
-        if (*last < model_.pointRows())
-            rows.append(QItemSelectionRange(model_.index(*first, 0), model_.index(*last, model_.columnCount() - 1)));
+        const int bottom = std::min(*last, model_.pointRows() - 1);
+        if (*first <= bottom)
+            rows.append(QItemSelectionRange(model_.index(*first, 0), model_.index(bottom, model_.columnCount() - 1)));
         first = last + 1;
     }
     const bool wasShowing = std::exchange(isShowingSelection_, true); // the view must hear of it, but nobody wished it
@@ -94,7 +95,7 @@ void PointsPanel::showSelection() {
     isShowingSelection_ = false;
     if (rows.isEmpty() || isTakingSelection_)
         return;
-    scrollTo(rows.last().bottomRight().siblingAtColumn(0));
+    scrollTo(model_.index(rows.last().bottom(), 0));
     if (state() != EditingState && !selectionModel()->isSelected(currentIndex()))
         makeCurrent(rows.first().top(), std::max(0, currentIndex().column()));
 }

@@ -15,7 +15,8 @@ constexpr int kFullDigits = 17;
 
 } // namespace
 
-bool ResultsModel::setResults(std::vector<Result> results) {
+bool ResultsModel::setResults(const Rows& ofCurve, std::vector<Result> ofSheet) {
+    Lists results{ofCurve, std::move(ofSheet)};
     const int before = rowCount();
     const int now = static_cast<int>(results.size());
     if (now == before)
@@ -33,8 +34,8 @@ bool ResultsModel::setResults(std::vector<Result> results) {
     return true;
 }
 
-bool ResultsModel::exchange(std::vector<Result> results) {
-    const std::vector<Result> before = std::exchange(results_, std::move(results));
+bool ResultsModel::exchange(Lists lists) {
+    const Lists before = std::exchange(results_, std::move(lists));
     bool areNamesNew = false;
     int first = rowCount();
     int last = -1;

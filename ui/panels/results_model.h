@@ -4,6 +4,7 @@
 
 #include <QAbstractTableModel>
 
+#include <memory>
 #include <vector>
 
 namespace kriva::ui {
@@ -14,8 +15,10 @@ class ResultsModel : public QAbstractTableModel {
   public:
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// Whether any row has another name than before.
-    bool setResults(std::vector<Result> results);
+    using Rows = std::shared_ptr<const std::vector<Result>>;
+
+    /// Those of the curve, then those of the sheet. Whether any row has another name than before.
+    bool setResults(const Rows& ofCurve, std::vector<Result> ofSheet);
     void retranslate();
     /// Where on the canvas the value of a row lies; nothing for numbers.
     [[nodiscard]] Points places(int row) const;
@@ -27,11 +30,20 @@ class ResultsModel : public QAbstractTableModel {
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
   private:
+    struct Lists {
+        Rows ofCurve = std::make_shared<const std::vector<Result>>();
+        std::vector<Result> ofSheet;
+
+        [[nodiscard]] std::size_t size() const { return ofCurve->size() + ofSheet.size(); }
+        [[nodiscard]] const Result& operator[](std::size_t row) const {
+            return row < ofCurve->size() ? (*ofCurve)[row] : ofSheet[row - ofCurve->size()];
+        }
+    };
     /// As many as before.
-    bool exchange(std::vector<Result> results);
+    bool exchange(Lists lists);
     void tellChanged(int first, int last);
 
-    std::vector<Result> results_;
+    Lists results_;
 };
 
 } // namespace kriva::ui

@@ -52,10 +52,7 @@ void ResultsPanel::retranslateUi() {
 }
 
 void ResultsPanel::showState() {
-    std::vector<Result> rows = results_.results();
-    const std::vector<Result>& ofSheet = relations_.relations().results;
-    rows.insert(rows.end(), ofSheet.begin(), ofSheet.end());
-    if (model_.setResults(std::move(rows)))
+    if (model_.setResults(results_.results(), relations_.relations().results))
         showColumns();
     pointedOut_.follow(chosenPlaces());
 }

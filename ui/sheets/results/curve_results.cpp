@@ -17,12 +17,11 @@ std::optional<std::vector<Result>> resultsOf(const std::optional<Curve>& curve, 
 CurveResults::CurveResults(ShownSheet& sheet, QObject* parent)
     : QObject(parent)
     , work_(sheet, [this](const std::optional<Curve>& curve, WorkBudget& budget) -> CoalescingWorker::Take {
-        return [this, results = resultsOf(curve, budget)] { take(results.value_or(std::vector<Result>())); };
+        auto found = resultsOf(curve, budget).value_or(std::vector<Result>());
+        return [this, results = std::make_shared<const std::vector<Result>>(std::move(found))] {
+            results_ = results;
+            Q_EMIT changed();
+        };
     }) {}
-
-void CurveResults::take(std::vector<Result> results) {
-    results_ = std::move(results);
-    Q_EMIT changed();
-}
 
 } // namespace kriva::ui

@@ -3,6 +3,8 @@
 #include "core/document/document.h"
 #include "ui/sheets/results/curve_work.h"
 
+#include <memory>
+
 namespace kriva::ui {
 
 class ShownSheet;
@@ -13,15 +15,14 @@ class CurveResults : public QObject {
   public:
     explicit CurveResults(ShownSheet& sheet, QObject* parent = nullptr);
 
-    [[nodiscard]] const std::vector<Result>& results() const { return results_; }
+    /// Never null. Shared, as a long spline has hundreds of thousands.
+    [[nodiscard]] const std::shared_ptr<const std::vector<Result>>& results() const { return results_; }
 
   Q_SIGNALS:
     void changed();
 
   private:
-    void take(std::vector<Result> results);
-
-    std::vector<Result> results_;
+    std::shared_ptr<const std::vector<Result>> results_ = std::make_shared<const std::vector<Result>>();
     CurveWork work_;
 };
 

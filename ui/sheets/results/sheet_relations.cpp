@@ -3,6 +3,8 @@
 #include "core/document/limits.h"
 #include "ui/sheets/shown_sheet.h"
 
+#include <memory>
+
 namespace kriva::ui {
 
 SheetRelations::SheetRelations(ShownSheet& sheet, QObject* parent)
@@ -12,7 +14,10 @@ SheetRelations::SheetRelations(ShownSheet& sheet, QObject* parent)
           [this, &sheet]() -> CoalescingWorker::Work {
               return [this, onView = sheet.sheetOnView(),
                       index = sheet.index()](WorkBudget& budget) -> CoalescingWorker::Take {
-                  return [this, found = relationsOf(onView, index, budget)] { take(found.value_or(Relations())); };
+                  auto found = relationsOf(onView, index, budget).value_or(Relations());
+                  return [this, relations = std::make_shared<Relations>(std::move(found))] {
+                      take(std::move(*relations)); // once
+                  };
               };
           },
           limits::kSteps) {

@@ -25,8 +25,16 @@ bool isHandleOfKnot(const GripId& grip) {
     return grip.kind == GripKind::inHandle || grip.kind == GripKind::outHandle;
 }
 
+bool isOfKnot(const GripRef& grip) {
+    return grip.id.kind == GripKind::point || isHandleOfKnot(grip.id);
+}
+
+std::span<const GripRef> selectedGripsOf(const SheetEditor& editor) {
+    return editor.selection().ofCurve(editor.activeSerial());
+}
+
 bool hasChosenKnots(const SheetEditor& editor) {
-    return pullsHandles(valueOf(editor)) && !chosenKnots(editor).empty();
+    return pullsHandles(valueOf(editor)) && std::ranges::any_of(selectedGripsOf(editor), isOfKnot);
 }
 
 SheetAction joinAction(const char* name, const char* text, Qt::Key key, Join join) {
@@ -41,8 +49,8 @@ SheetAction joinAction(const char* name, const char* text, Qt::Key key, Join joi
             hasChosenKnots,
             [join](const SheetEditor& editor) {
                 const std::vector<SplineKnot>& knots = valueOf(editor).knots;
-                return hasChosenKnots(editor) && std::ranges::all_of(chosenKnots(editor), [&](int knot) {
-                           return knots[static_cast<std::size_t>(knot)].join == join;
+                return hasChosenKnots(editor) && std::ranges::all_of(selectedGripsOf(editor), [&](const GripRef& grip) {
+                           return !isOfKnot(grip) || knots[static_cast<std::size_t>(grip.id.index)].join == join;
                        });
             }};
 }
@@ -85,10 +93,11 @@ SheetAction closeAction() {
 
 std::vector<int> chosenKnots(const SheetEditor& editor) {
     std::vector<int> knots;
-    for (const GripId& grip : editor.selectedGrips(editor.activeSerial()))
-        if (grip.kind == GripKind::point || isHandleOfKnot(grip))
-            knots.push_back(grip.index);
-    std::ranges::sort(knots);
+    for (const GripRef& grip : selectedGripsOf(editor))
+        if (isOfKnot(grip))
+            knots.push_back(grip.id.index);
+    if (!std::ranges::is_sorted(knots)) // as it is where no handles are among them
+        std::ranges::sort(knots);
     const auto repeated = std::ranges::unique(knots);
     knots.erase(repeated.begin(), repeated.end());
     return knots;
