@@ -597,12 +597,24 @@
         <source>Residual (root mean square)</source>
         <translation>Остатък (средноквадратичен)</translation>
     </message>
+    <message>
+        <source>Passes through crossings and overlaps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many to count</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Clip</name>
     <message>
         <source>The clipboard: %1</source>
         <translation>Буферът за обмен: %1</translation>
+    </message>
+    <message>
+        <source>The clipboard: its curve cannot be read: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -802,6 +814,125 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>DocumentQuestions</name>
+    <message>
+        <source>An edited figure</source>
+        <translation>Променена фигура</translation>
+    </message>
+    <message>
+        <source>The lines of “%1” were edited in another program: they are not those of the document inside any more.</source>
+        <translation>Линиите на „%1“ са променени в друга програма: те вече не са тези на документа вътре.</translation>
+    </message>
+    <message>
+        <source>Open the document as it was, or as it is drawn now?</source>
+        <translation>Да се отвори ли документът, какъвто е бил, или какъвто е начертан сега?</translation>
+    </message>
+    <message>
+        <source>D&amp;rawing</source>
+        <translation>&amp;Чертеж</translation>
+    </message>
+    <message>
+        <source>&amp;Document</source>
+        <translation>&amp;Документ</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Незапазени промени</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Да се запазят ли промените в „%1“?</translation>
+    </message>
+    <message>
+        <source>Without saving they are lost.</source>
+        <translation>Без запазване те се губят.</translation>
+    </message>
+    <message>
+        <source>The file is gone</source>
+        <translation>Файлът липсва</translation>
+    </message>
+    <message>
+        <source>Save “%1” again?</source>
+        <translation>Да се запази ли „%1“ отново?</translation>
+    </message>
+    <message>
+        <source>Its file was deleted or moved elsewhere.</source>
+        <translation>Файлът е изтрит или преместен другаде.</translation>
+    </message>
+    <message>
+        <source>Open elsewhere</source>
+        <translation>Отворен другаде</translation>
+    </message>
+    <message>
+        <source>Another Kriva has “%1” open.</source>
+        <translation>„%1“ е отворен в друга програма Kriva.</translation>
+    </message>
+    <message>
+        <source>A copy is a document of its own. Opened anyway, the one that saves last overwrites the other.</source>
+        <translation>Копието е отделен документ. Ако се отвори все пак, който запази последен, презаписва другия.</translation>
+    </message>
+    <message>
+        <source>Open a &amp;copy</source>
+        <translation>Отваряне на &amp;копие</translation>
+    </message>
+    <message>
+        <source>Open &amp;anyway</source>
+        <translation>&amp;Отваряне все пак</translation>
+    </message>
+    <message>
+        <source>“%1” is open in another window or in another Kriva.</source>
+        <translation>„%1“ е отворен в друг прозорец или в друга програма Kriva.</translation>
+    </message>
+    <message>
+        <source>Overwritten, it is no longer what is shown there.</source>
+        <translation>Ако се презапише, вече няма да е това, което се вижда там.</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Запазване &amp;като…</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>&amp;Презаписване</translation>
+    </message>
+    <message>
+        <source>Changed elsewhere</source>
+        <translation>Променен другаде</translation>
+    </message>
+    <message>
+        <source>Another program changed “%1” since it was opened or saved here.</source>
+        <translation>Друга програма е променила „%1“, след като е отворен или запазен тук.</translation>
+    </message>
+    <message>
+        <source>Overwritten, the changes made there are lost; reloaded, those made here.</source>
+        <translation>При презаписване се губят промените, направени там; при презареждане – направените тук.</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>П&amp;резареждане</translation>
+    </message>
+    <message>
+        <source>Reload “%1” as it is in its file?</source>
+        <translation>Да се презареди ли „%1“, какъвто е във файла?</translation>
+    </message>
+    <message>
+        <source>The changes made here are lost.</source>
+        <translation>Промените, направени тук, се губят.</translation>
+    </message>
+    <message>
+        <source>The file was not opened</source>
+        <translation>Файлът не беше отворен</translation>
+    </message>
+    <message>
+        <source>The document was not saved</source>
+        <translation>Документът не беше запазен</translation>
+    </message>
+    <message>
+        <source>It is still here, as you see it.</source>
+        <translation>Той е все още тук, какъвто го виждате.</translation>
+    </message>
+</context>
+<context>
     <name>Errors</name>
     <message>
         <source>line %1, column %2</source>
@@ -969,6 +1100,86 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>the interpolated runs have more than %1 pairs of points</source>
         <translation>интерполираните участъци имат повече от %1 двойки точки</translation>
+    </message>
+    <message>
+        <source>%1: written, but the owner or the permissions of the file could not be kept</source>
+        <translation>%1: записан, но собственикът или правата на файла не можаха да се запазят</translation>
+    </message>
+    <message>
+        <source>a sheet takes at most %1 curves, and these are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sheet takes at most %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sheet takes at most %1 points of elevated curves and of pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this curve takes at most %1 points, and would have %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interpolation takes at most %1 points in a monotone run, and one has %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a report takes at most %1 segments of a sheet, and these are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 passes through crossings and overlaps are too many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curves have too many intersections to work out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinates go from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 uses of elements are too many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uses of elements are nested more than %1 deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is something behind the end of the outermost element</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the attribute “%1” stands here twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the entity “%1” is unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no UTF-8, which the file says that it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the attribute “%1” leads beyond the coordinates from %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>curve %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>curve %1, “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, the document inside</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2218,6 +2429,13 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>Values</name>
+    <message>
+        <source>more than %L1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::AboutDialog</name>
     <message>
         <source>About Kriva</source>
@@ -2324,10 +2542,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Документи и фигури на Kriva (*.kriva *.svg)</translation>
     </message>
     <message>
-        <source>The file was not opened</source>
-        <translation>Файлът не беше отворен</translation>
-    </message>
-    <message>
         <source>Save as</source>
         <translation>Запазване като</translation>
     </message>
@@ -2336,40 +2550,8 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Документи на Kriva (*.kriva)</translation>
     </message>
     <message>
-        <source>The document was not saved</source>
-        <translation>Документът не беше запазен</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Незапазени промени</translation>
-    </message>
-    <message>
-        <source>Save the changes to “%1”?</source>
-        <translation>Да се запазят ли промените в „%1“?</translation>
-    </message>
-    <message>
-        <source>Without saving they are lost.</source>
-        <translation>Без запазване те се губят.</translation>
-    </message>
-    <message>
-        <source>An edited figure</source>
-        <translation>Променена фигура</translation>
-    </message>
-    <message>
-        <source>The lines of “%1” were edited in another program: they are not those of the document inside any more.</source>
-        <translation>Линиите на „%1“ са променени в друга програма: те вече не са тези на документа вътре.</translation>
-    </message>
-    <message>
-        <source>Open the document as it was, or as it is drawn now?</source>
-        <translation>Да се отвори ли документът, какъвто е бил, или какъвто е начертан сега?</translation>
-    </message>
-    <message>
-        <source>&amp;Document</source>
-        <translation>&amp;Документ</translation>
-    </message>
-    <message>
-        <source>D&amp;rawing</source>
-        <translation>&amp;Чертеж</translation>
+        <source>Unsaved changes cannot be kept for a recovery: %1</source>
+        <translation>Незапазените промени не могат да се пазят за възстановяване: %1</translation>
     </message>
 </context>
 <context>
@@ -2646,6 +2828,29 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>kriva::ui::NoticeBar</name>
+    <message>
+        <source>The file “%1” was deleted or moved by another program.</source>
+        <translation>Файлът „%1“ е изтрит или преместен от друга програма.</translation>
+    </message>
+    <message>
+        <source>Another program changed the file “%1”.</source>
+        <translation>Друга програма промени файла „%1“.</translation>
+    </message>
+    <message>
+        <source>Save again</source>
+        <translation>Запазване отново</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Презареждане</translation>
+    </message>
+    <message>
+        <source>Leave as it is</source>
+        <translation>Оставяне така</translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::NumberField</name>
     <message>
         <source>A whole number from %1 to %2 is needed.</source>
@@ -2779,6 +2984,67 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>More</source>
         <translation>Повече</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::RecoveryDialog</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Без име</translation>
+    </message>
+    <message>
+        <source>never saved · changed %1</source>
+        <comment>a document and a time</comment>
+        <translation>не е запазван · променен %1</translation>
+    </message>
+    <message>
+        <source>%1 · changed %2</source>
+        <comment>a folder and a time</comment>
+        <translation>%1 · променен %2</translation>
+    </message>
+    <message>
+        <source>Damaged: it cannot be read any more.</source>
+        <translation>Повреден: вече не може да се прочете.</translation>
+    </message>
+    <message>
+        <source>Damaged: look closely at what is recovered.</source>
+        <translation>Повреден: прегледайте внимателно възстановеното.</translation>
+    </message>
+    <message>
+        <source>What to do with %1</source>
+        <translation>Какво да стане с %1</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Възстановяване</translation>
+    </message>
+    <message>
+        <source>Ask later</source>
+        <translation>Питане по-късно</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Изхвърляне</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>Възстановяване на незапазеното</translation>
+    </message>
+    <message>
+        <source>Kriva ended before this was saved</source>
+        <translation>Kriva приключи, преди това да бъде запазено</translation>
+    </message>
+    <message>
+        <source>What is recovered opens in a window of its own and is written to its file only when you save.</source>
+        <translation>Възстановеното се отваря в собствен прозорец и се записва във файла си едва когато го запазите.</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Продължаване</translation>
+    </message>
+    <message>
+        <source>Ask &amp;later about all</source>
+        <translation>Питане по-къ&amp;сно за всички</translation>
     </message>
 </context>
 <context>

@@ -597,12 +597,24 @@
         <source>Residual (root mean square)</source>
         <translation>Ostanek (koren povprečja kvadratov)</translation>
     </message>
+    <message>
+        <source>Passes through crossings and overlaps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many to count</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Clip</name>
     <message>
         <source>The clipboard: %1</source>
         <translation>Odložišče: %1</translation>
+    </message>
+    <message>
+        <source>The clipboard: its curve cannot be read: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -802,6 +814,125 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
 </context>
 <context>
+    <name>DocumentQuestions</name>
+    <message>
+        <source>An edited figure</source>
+        <translation>Spremenjena slika</translation>
+    </message>
+    <message>
+        <source>The lines of “%1” were edited in another program: they are not those of the document inside any more.</source>
+        <translation>Črte slike »%1« so bile spremenjene v drugem programu: niso več črte dokumenta v njej.</translation>
+    </message>
+    <message>
+        <source>Open the document as it was, or as it is drawn now?</source>
+        <translation>Naj se odpre dokument, kakršen je bil, ali kakršen je narisan zdaj?</translation>
+    </message>
+    <message>
+        <source>D&amp;rawing</source>
+        <translation>&amp;Risba</translation>
+    </message>
+    <message>
+        <source>&amp;Document</source>
+        <translation>&amp;Dokument</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Neshranjene spremembe</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Naj se spremembe v »%1« shranijo?</translation>
+    </message>
+    <message>
+        <source>Without saving they are lost.</source>
+        <translation>Brez shranjevanja bodo izgubljene.</translation>
+    </message>
+    <message>
+        <source>The file is gone</source>
+        <translation>Datoteke ni več</translation>
+    </message>
+    <message>
+        <source>Save “%1” again?</source>
+        <translation>Naj se »%1« znova shrani?</translation>
+    </message>
+    <message>
+        <source>Its file was deleted or moved elsewhere.</source>
+        <translation>Datoteka je bila izbrisana ali premaknjena drugam.</translation>
+    </message>
+    <message>
+        <source>Open elsewhere</source>
+        <translation>Odprto drugje</translation>
+    </message>
+    <message>
+        <source>Another Kriva has “%1” open.</source>
+        <translation>»%1« je odprt v drugem programu Kriva.</translation>
+    </message>
+    <message>
+        <source>A copy is a document of its own. Opened anyway, the one that saves last overwrites the other.</source>
+        <translation>Kopija je samostojen dokument. Če ga vseeno odprete, bo tisti, ki shrani zadnji, prepisal drugega.</translation>
+    </message>
+    <message>
+        <source>Open a &amp;copy</source>
+        <translation>Odpri &amp;kopijo</translation>
+    </message>
+    <message>
+        <source>Open &amp;anyway</source>
+        <translation>Vseeno &amp;odpri</translation>
+    </message>
+    <message>
+        <source>“%1” is open in another window or in another Kriva.</source>
+        <translation>»%1« je odprt v drugem oknu ali v drugem programu Kriva.</translation>
+    </message>
+    <message>
+        <source>Overwritten, it is no longer what is shown there.</source>
+        <translation>Če ga prepišete, ne bo več to, kar je prikazano tam.</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Shrani &amp;kot …</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>&amp;Prepiši</translation>
+    </message>
+    <message>
+        <source>Changed elsewhere</source>
+        <translation>Spremenjeno drugje</translation>
+    </message>
+    <message>
+        <source>Another program changed “%1” since it was opened or saved here.</source>
+        <translation>Drug program je spremenil »%1«, odkar je bil odprt ali shranjen tukaj.</translation>
+    </message>
+    <message>
+        <source>Overwritten, the changes made there are lost; reloaded, those made here.</source>
+        <translation>Če ga prepišete, bodo izgubljene spremembe od tam; če ga znova naložite, spremembe od tukaj.</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>&amp;Znova naloži</translation>
+    </message>
+    <message>
+        <source>Reload “%1” as it is in its file?</source>
+        <translation>Naj se »%1« znova naloži, kakršen je v datoteki?</translation>
+    </message>
+    <message>
+        <source>The changes made here are lost.</source>
+        <translation>Spremembe, narejene tukaj, bodo izgubljene.</translation>
+    </message>
+    <message>
+        <source>The file was not opened</source>
+        <translation>Datoteka ni bila odprta</translation>
+    </message>
+    <message>
+        <source>The document was not saved</source>
+        <translation>Dokument ni bil shranjen</translation>
+    </message>
+    <message>
+        <source>It is still here, as you see it.</source>
+        <translation>Še vedno je tukaj, kakršnega vidite.</translation>
+    </message>
+</context>
+<context>
     <name>Errors</name>
     <message>
         <source>line %1, column %2</source>
@@ -971,6 +1102,86 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>the interpolated runs have more than %1 pairs of points</source>
         <translation>interpolirani odseki imajo več kot %1 parov točk</translation>
+    </message>
+    <message>
+        <source>%1: written, but the owner or the permissions of the file could not be kept</source>
+        <translation>%1: zapisano, vendar lastnika ali pravic datoteke ni bilo mogoče ohraniti</translation>
+    </message>
+    <message>
+        <source>a sheet takes at most %1 curves, and these are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sheet takes at most %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sheet takes at most %1 points of elevated curves and of pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this curve takes at most %1 points, and would have %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interpolation takes at most %1 points in a monotone run, and one has %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a report takes at most %1 segments of a sheet, and these are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 passes through crossings and overlaps are too many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curves have too many intersections to work out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinates go from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 uses of elements are too many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uses of elements are nested more than %1 deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is something behind the end of the outermost element</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the attribute “%1” stands here twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the entity “%1” is unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no UTF-8, which the file says that it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the attribute “%1” leads beyond the coordinates from %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>curve %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>curve %1, “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, the document inside</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2220,6 +2431,13 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
 </context>
 <context>
+    <name>Values</name>
+    <message>
+        <source>more than %L1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::AboutDialog</name>
     <message>
         <source>About Kriva</source>
@@ -2326,10 +2544,6 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <translation>Dokumenti in slike programa Kriva (*.kriva *.svg)</translation>
     </message>
     <message>
-        <source>The file was not opened</source>
-        <translation>Datoteka ni bila odprta</translation>
-    </message>
-    <message>
         <source>Save as</source>
         <translation>Shranjevanje kot</translation>
     </message>
@@ -2338,40 +2552,8 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <translation>Dokumenti programa Kriva (*.kriva)</translation>
     </message>
     <message>
-        <source>The document was not saved</source>
-        <translation>Dokument ni bil shranjen</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Neshranjene spremembe</translation>
-    </message>
-    <message>
-        <source>Save the changes to “%1”?</source>
-        <translation>Naj se spremembe v »%1« shranijo?</translation>
-    </message>
-    <message>
-        <source>Without saving they are lost.</source>
-        <translation>Brez shranjevanja bodo izgubljene.</translation>
-    </message>
-    <message>
-        <source>An edited figure</source>
-        <translation>Spremenjena slika</translation>
-    </message>
-    <message>
-        <source>The lines of “%1” were edited in another program: they are not those of the document inside any more.</source>
-        <translation>Črte slike »%1« so bile spremenjene v drugem programu: niso več črte dokumenta v njej.</translation>
-    </message>
-    <message>
-        <source>Open the document as it was, or as it is drawn now?</source>
-        <translation>Naj se odpre dokument, kakršen je bil, ali kakršen je narisan zdaj?</translation>
-    </message>
-    <message>
-        <source>&amp;Document</source>
-        <translation>&amp;Dokument</translation>
-    </message>
-    <message>
-        <source>D&amp;rawing</source>
-        <translation>&amp;Risba</translation>
+        <source>Unsaved changes cannot be kept for a recovery: %1</source>
+        <translation>Neshranjenih sprememb ni mogoče ohraniti za obnovitev: %1</translation>
     </message>
 </context>
 <context>
@@ -2652,6 +2834,29 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
 </context>
 <context>
+    <name>kriva::ui::NoticeBar</name>
+    <message>
+        <source>The file “%1” was deleted or moved by another program.</source>
+        <translation>Datoteko »%1« je izbrisal ali premaknil drug program.</translation>
+    </message>
+    <message>
+        <source>Another program changed the file “%1”.</source>
+        <translation>Drug program je spremenil datoteko »%1«.</translation>
+    </message>
+    <message>
+        <source>Save again</source>
+        <translation>Znova shrani</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Znova naloži</translation>
+    </message>
+    <message>
+        <source>Leave as it is</source>
+        <translation>Pusti tako</translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::NumberField</name>
     <message>
         <source>A whole number from %1 to %2 is needed.</source>
@@ -2789,6 +2994,67 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>More</source>
         <translation>Več</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::RecoveryDialog</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Brez imena</translation>
+    </message>
+    <message>
+        <source>never saved · changed %1</source>
+        <comment>a document and a time</comment>
+        <translation>še ni shranjen · spremenjen %1</translation>
+    </message>
+    <message>
+        <source>%1 · changed %2</source>
+        <comment>a folder and a time</comment>
+        <translation>%1 · spremenjen %2</translation>
+    </message>
+    <message>
+        <source>Damaged: it cannot be read any more.</source>
+        <translation>Poškodovan: ni ga več mogoče prebrati.</translation>
+    </message>
+    <message>
+        <source>Damaged: look closely at what is recovered.</source>
+        <translation>Poškodovan: natančno preglejte, kaj je obnovljeno.</translation>
+    </message>
+    <message>
+        <source>What to do with %1</source>
+        <translation>Kaj naj se zgodi z dokumentom %1</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Obnovi</translation>
+    </message>
+    <message>
+        <source>Ask later</source>
+        <translation>Vprašaj pozneje</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Zavrzi</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>Obnovitev neshranjenega dela</translation>
+    </message>
+    <message>
+        <source>Kriva ended before this was saved</source>
+        <translation>Kriva se je končala, preden je bilo to shranjeno</translation>
+    </message>
+    <message>
+        <source>What is recovered opens in a window of its own and is written to its file only when you save.</source>
+        <translation>Obnovljeno se odpre v svojem oknu in se v svojo datoteko zapiše šele, ko shranite.</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Nadaljuj</translation>
+    </message>
+    <message>
+        <source>Ask &amp;later about all</source>
+        <translation>Vprašaj &amp;pozneje o vseh</translation>
     </message>
 </context>
 <context>

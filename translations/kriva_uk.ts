@@ -597,12 +597,24 @@
         <source>Residual (root mean square)</source>
         <translation>Нев’язка (середньоквадратична)</translation>
     </message>
+    <message>
+        <source>Passes through crossings and overlaps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many to count</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Clip</name>
     <message>
         <source>The clipboard: %1</source>
         <translation>Буфер обміну: %1</translation>
+    </message>
+    <message>
+        <source>The clipboard: its curve cannot be read: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -802,6 +814,125 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>DocumentQuestions</name>
+    <message>
+        <source>An edited figure</source>
+        <translation>Змінений рисунок</translation>
+    </message>
+    <message>
+        <source>The lines of “%1” were edited in another program: they are not those of the document inside any more.</source>
+        <translation>Лінії рисунка «%1» змінено в іншій програмі: вони вже не такі, як у документі всередині.</translation>
+    </message>
+    <message>
+        <source>Open the document as it was, or as it is drawn now?</source>
+        <translation>Відкрити документ таким, яким він був, чи таким, як його накреслено тепер?</translation>
+    </message>
+    <message>
+        <source>D&amp;rawing</source>
+        <translation>&amp;Креслення</translation>
+    </message>
+    <message>
+        <source>&amp;Document</source>
+        <translation>&amp;Документ</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Незбережені зміни</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Зберегти зміни у «%1»?</translation>
+    </message>
+    <message>
+        <source>Without saving they are lost.</source>
+        <translation>Без збереження їх буде втрачено.</translation>
+    </message>
+    <message>
+        <source>The file is gone</source>
+        <translation>Файлу немає</translation>
+    </message>
+    <message>
+        <source>Save “%1” again?</source>
+        <translation>Зберегти «%1» знову?</translation>
+    </message>
+    <message>
+        <source>Its file was deleted or moved elsewhere.</source>
+        <translation>Файл вилучено або переміщено деінде.</translation>
+    </message>
+    <message>
+        <source>Open elsewhere</source>
+        <translation>Відкрито деінде</translation>
+    </message>
+    <message>
+        <source>Another Kriva has “%1” open.</source>
+        <translation>«%1» відкрито в іншій програмі Kriva.</translation>
+    </message>
+    <message>
+        <source>A copy is a document of its own. Opened anyway, the one that saves last overwrites the other.</source>
+        <translation>Копія є окремим документом. Якщо все ж відкрити, то хто збереже останнім, перезапише іншого.</translation>
+    </message>
+    <message>
+        <source>Open a &amp;copy</source>
+        <translation>Відкрити &amp;копію</translation>
+    </message>
+    <message>
+        <source>Open &amp;anyway</source>
+        <translation>&amp;Все одно відкрити</translation>
+    </message>
+    <message>
+        <source>“%1” is open in another window or in another Kriva.</source>
+        <translation>«%1» відкрито в іншому вікні або в іншій програмі Kriva.</translation>
+    </message>
+    <message>
+        <source>Overwritten, it is no longer what is shown there.</source>
+        <translation>Якщо його перезаписати, він уже не буде тим, що показано там.</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Зберегти &amp;як…</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>&amp;Перезаписати</translation>
+    </message>
+    <message>
+        <source>Changed elsewhere</source>
+        <translation>Змінено деінде</translation>
+    </message>
+    <message>
+        <source>Another program changed “%1” since it was opened or saved here.</source>
+        <translation>Інша програма змінила «%1», відколи його відкрито або збережено тут.</translation>
+    </message>
+    <message>
+        <source>Overwritten, the changes made there are lost; reloaded, those made here.</source>
+        <translation>Якщо перезаписати, буде втрачено зміни, зроблені там; якщо перезавантажити – зроблені тут.</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>Перезавантажит&amp;и</translation>
+    </message>
+    <message>
+        <source>Reload “%1” as it is in its file?</source>
+        <translation>Перезавантажити «%1» таким, яким він є у файлі?</translation>
+    </message>
+    <message>
+        <source>The changes made here are lost.</source>
+        <translation>Зміни, зроблені тут, буде втрачено.</translation>
+    </message>
+    <message>
+        <source>The file was not opened</source>
+        <translation>Файл не відкрито</translation>
+    </message>
+    <message>
+        <source>The document was not saved</source>
+        <translation>Документ не збережено</translation>
+    </message>
+    <message>
+        <source>It is still here, as you see it.</source>
+        <translation>Він усе ще тут, яким ви його бачите.</translation>
+    </message>
+</context>
+<context>
     <name>Errors</name>
     <message>
         <source>line %1, column %2</source>
@@ -970,6 +1101,86 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>the interpolated runs have more than %1 pairs of points</source>
         <translation>інтерпольовані ділянки мають понад %1 пар точок</translation>
+    </message>
+    <message>
+        <source>%1: written, but the owner or the permissions of the file could not be kept</source>
+        <translation>%1: записано, але власника або права файлу зберегти не вдалося</translation>
+    </message>
+    <message>
+        <source>a sheet takes at most %1 curves, and these are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sheet takes at most %1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sheet takes at most %1 points of elevated curves and of pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this curve takes at most %1 points, and would have %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interpolation takes at most %1 points in a monotone run, and one has %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a report takes at most %1 segments of a sheet, and these are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 passes through crossings and overlaps are too many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the curves have too many intersections to work out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coordinates go from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 uses of elements are too many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>uses of elements are nested more than %1 deep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is something behind the end of the outermost element</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the attribute “%1” stands here twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the entity “%1” is unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this is no UTF-8, which the file says that it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the attribute “%1” leads beyond the coordinates from %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>curve %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>curve %1, “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, the document inside</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2219,6 +2430,13 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>Values</name>
+    <message>
+        <source>more than %L1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::AboutDialog</name>
     <message>
         <source>About Kriva</source>
@@ -2325,10 +2543,6 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Документи й рисунки Kriva (*.kriva *.svg)</translation>
     </message>
     <message>
-        <source>The file was not opened</source>
-        <translation>Файл не відкрито</translation>
-    </message>
-    <message>
         <source>Save as</source>
         <translation>Збереження як</translation>
     </message>
@@ -2337,40 +2551,8 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Документи Kriva (*.kriva)</translation>
     </message>
     <message>
-        <source>The document was not saved</source>
-        <translation>Документ не збережено</translation>
-    </message>
-    <message>
-        <source>Unsaved changes</source>
-        <translation>Незбережені зміни</translation>
-    </message>
-    <message>
-        <source>Save the changes to “%1”?</source>
-        <translation>Зберегти зміни у «%1»?</translation>
-    </message>
-    <message>
-        <source>Without saving they are lost.</source>
-        <translation>Без збереження їх буде втрачено.</translation>
-    </message>
-    <message>
-        <source>An edited figure</source>
-        <translation>Змінений рисунок</translation>
-    </message>
-    <message>
-        <source>The lines of “%1” were edited in another program: they are not those of the document inside any more.</source>
-        <translation>Лінії рисунка «%1» змінено в іншій програмі: вони вже не такі, як у документі всередині.</translation>
-    </message>
-    <message>
-        <source>Open the document as it was, or as it is drawn now?</source>
-        <translation>Відкрити документ таким, яким він був, чи таким, як його накреслено тепер?</translation>
-    </message>
-    <message>
-        <source>&amp;Document</source>
-        <translation>&amp;Документ</translation>
-    </message>
-    <message>
-        <source>D&amp;rawing</source>
-        <translation>&amp;Креслення</translation>
+        <source>Unsaved changes cannot be kept for a recovery: %1</source>
+        <translation>Незбережені зміни не вдається зберігати для відновлення: %1</translation>
     </message>
 </context>
 <context>
@@ -2649,6 +2831,29 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
 </context>
 <context>
+    <name>kriva::ui::NoticeBar</name>
+    <message>
+        <source>The file “%1” was deleted or moved by another program.</source>
+        <translation>Файл «%1» вилучила або перемістила інша програма.</translation>
+    </message>
+    <message>
+        <source>Another program changed the file “%1”.</source>
+        <translation>Інша програма змінила файл «%1».</translation>
+    </message>
+    <message>
+        <source>Save again</source>
+        <translation>Зберегти знову</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Перезавантажити</translation>
+    </message>
+    <message>
+        <source>Leave as it is</source>
+        <translation>Залишити так</translation>
+    </message>
+</context>
+<context>
     <name>kriva::ui::NumberField</name>
     <message>
         <source>A whole number from %1 to %2 is needed.</source>
@@ -2784,6 +2989,67 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>More</source>
         <translation>Більше</translation>
+    </message>
+</context>
+<context>
+    <name>kriva::ui::RecoveryDialog</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Без назви</translation>
+    </message>
+    <message>
+        <source>never saved · changed %1</source>
+        <comment>a document and a time</comment>
+        <translation>ще не збережено · змінено %1</translation>
+    </message>
+    <message>
+        <source>%1 · changed %2</source>
+        <comment>a folder and a time</comment>
+        <translation>%1 · змінено %2</translation>
+    </message>
+    <message>
+        <source>Damaged: it cannot be read any more.</source>
+        <translation>Пошкоджено: його вже не можна прочитати.</translation>
+    </message>
+    <message>
+        <source>Damaged: look closely at what is recovered.</source>
+        <translation>Пошкоджено: уважно перегляньте відновлене.</translation>
+    </message>
+    <message>
+        <source>What to do with %1</source>
+        <translation>Що зробити з %1</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Відновити</translation>
+    </message>
+    <message>
+        <source>Ask later</source>
+        <translation>Запитати пізніше</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Відкинути</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>Відновлення незбереженого</translation>
+    </message>
+    <message>
+        <source>Kriva ended before this was saved</source>
+        <translation>Kriva завершилася, перш ніж це було збережено</translation>
+    </message>
+    <message>
+        <source>What is recovered opens in a window of its own and is written to its file only when you save.</source>
+        <translation>Відновлене відкривається у власному вікні й записується у свій файл лише тоді, коли ви збережете.</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Продовжити</translation>
+    </message>
+    <message>
+        <source>Ask &amp;later about all</source>
+        <translation>Запитати про всі пі&amp;зніше</translation>
     </message>
 </context>
 <context>

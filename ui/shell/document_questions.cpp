@@ -1,7 +1,8 @@
 #include "ui/shell/document_questions.h"
 
+#include "ui/shell/message_box.h"
+
 #include <QCoreApplication>
-#include <QMessageBox>
 #include <QPushButton>
 
 #include <tuple>
@@ -15,15 +16,12 @@ class Questions {
     Q_DECLARE_TR_FUNCTIONS(DocumentQuestions)
 };
 
-/// A message box with answers of its own, each of them a value. Names of files come from outside: nothing in them is
-/// read as HTML.
+/// A message box with answers of its own, each of them a value.
 template <class Answer>
 class Question {
   public:
     Question(QMessageBox::Icon icon, const QString& title, const QString& text, const QString& more, QWidget* window)
-        : box_(icon, title, text, QMessageBox::NoButton, window) {
-        box_.setTextFormat(Qt::PlainText);
-        box_.setInformativeText(more);
+        : box_(icon, {title, text, more.isEmpty() ? QStringList() : QStringList(more)}, QMessageBox::NoButton, window) {
     }
     /// The first one is what Enter does.
     Question& add(const QString& text, QMessageBox::ButtonRole role, Answer answer) {
@@ -47,7 +45,7 @@ class Question {
         return *this;
     }
 
-    QMessageBox box_;
+    MessageBox box_;
     std::vector<std::pair<QAbstractButton*, Answer>> answers_;
 };
 

@@ -1,9 +1,14 @@
 #include "ui/shell/long_work.h"
 
+#include "ui/shell/look/plain_label.h"
+
+#include <QDialog>
+#include <QDialogButtonBox>
 #include <QEventLoop>
 #include <QPointer>
-#include <QProgressDialog>
+#include <QProgressBar>
 #include <QTimer>
+#include <QVBoxLayout>
 
 #include <thread>
 
@@ -13,9 +18,27 @@ namespace {
 /// In milliseconds: what is done by then needs no dialog.
 constexpr int kPatience = 500;
 
+/// Says what is being done, nobody knows how long, and is rejected by whoever will not wait.
+QDialog* waitingDialog(const QString& sentence, QWidget* window) {
+    auto* dialog = new QDialog(window);
+    dialog->setModal(true);
+    dialog->setWindowTitle(sentence);
+    auto* label = new PlainLabel(dialog);
+    label->setText(sentence);
+    auto* bar = new QProgressBar(dialog);
+    bar->setRange(0, 0);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, dialog);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+    auto* layout = new QVBoxLayout(dialog);
+    layout->addWidget(label);
+    layout->addWidget(bar);
+    layout->addWidget(buttons);
+    return dialog;
+}
+
 } // namespace
 
-bool finishes(const std::function<void(WorkBudget&)>& work, const QString& title, QWidget* window) {
+bool finishes(const std::function<void(WorkBudget&)>& work, const QString& sentence, QWidget* window) {
     std::stop_source stop;
     bool hasEnded = false;
     QEventLoop waiting;
@@ -31,12 +54,8 @@ bool finishes(const std::function<void(WorkBudget&)>& work, const QString& title
     QTimer::singleShot(kPatience, &waiting, &QEventLoop::quit);
     waiting.exec(QEventLoop::ExcludeUserInputEvents); // nothing may change meanwhile
     if (!hasEnded) {
-        const QPointer dialog = new QProgressDialog(window);
-        dialog->setLabelText(title);
-        dialog->setRange(0, 0); // nobody knows how long
-        dialog->setWindowModality(Qt::ApplicationModal);
-        dialog->setMinimumDuration(0);
-        QObject::connect(dialog, &QProgressDialog::canceled, &waiting, [&stop] { stop.request_stop(); });
+        const QPointer dialog = waitingDialog(sentence, window);
+        QObject::connect(dialog, &QDialog::rejected, &waiting, [&stop] { stop.request_stop(); });
         dialog->show();
         waiting.exec(); // also ended by the end of the program
         delete dialog;

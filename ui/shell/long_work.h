@@ -13,17 +13,17 @@ class QWidget;
 namespace kriva::ui {
 
 /// Does the work on a thread of its own while its window goes on being painted. Where it takes long a dialog with the
-/// title says so and lets a person end it, and so does the window's end. Whether the work was done to its end.
+/// sentence says so and lets a person end it, and so does the window's end. Whether the work was done to its end.
 ///
 /// The work holds copies of all that it looks at, and spends its budget in every loop that may be long.
-[[nodiscard]] bool finishes(const std::function<void(WorkBudget&)>& work, const QString& title, QWidget* window);
+[[nodiscard]] bool finishes(const std::function<void(WorkBudget&)>& work, const QString& sentence, QWidget* window);
 
 /// What the work gives; nothing where a person ended it.
 template <class T>
-[[nodiscard]] std::optional<T> workedOut(const std::function<T(WorkBudget&)>& work, const QString& title,
+[[nodiscard]] std::optional<T> workedOut(const std::function<T(WorkBudget&)>& work, const QString& sentence,
                                          QWidget* window) {
     std::optional<T> result;
-    if (!finishes([&](WorkBudget& budget) { result = work(budget); }, title, window))
+    if (!finishes([&](WorkBudget& budget) { result = work(budget); }, sentence, window))
         return {};
     return result;
 }

@@ -1,10 +1,10 @@
 #include "ui/shell/notice_bar.h"
 
 #include "ui/shell/document_session.h"
+#include "ui/shell/look/plain_label.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 
 namespace kriva::ui {
@@ -17,7 +17,7 @@ constexpr int kMargin = 6; // px: a row that is seen, and takes little of the ca
 NoticeBar::NoticeBar(DocumentSession& session, QWidget* parent)
     : QFrame(parent)
     , session_(session)
-    , text_(new QLabel(this))
+    , text_(new PlainLabel(this))
     , action_(new QPushButton(this))
     , leave_(new QPushButton(this)) {
     setObjectName(QStringLiteral("notice"));
@@ -26,7 +26,6 @@ NoticeBar::NoticeBar(DocumentSession& session, QWidget* parent)
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::ToolTipBase);
     text_->setForegroundRole(QPalette::ToolTipText);
-    text_->setTextFormat(Qt::PlainText);
     text_->setWordWrap(true);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(2 * kMargin, kMargin, kMargin, kMargin);

@@ -1,6 +1,7 @@
 #include "ui/shell/recovery_dialog.h"
 
 #include "ui/shell/look/icons.h"
+#include "ui/shell/look/plain_label.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -8,7 +9,6 @@
 #include <QEvent>
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QScrollArea>
@@ -30,12 +30,6 @@ constexpr int kTallest = 380;    // px of rows; beyond, they scroll
     return metrics.elidedText(folder, Qt::ElideMiddle, kPlaceWidth);
 }
 
-[[nodiscard]] QLabel* plainLabel(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    label->setTextFormat(Qt::PlainText); // names of files come from outside
-    return label;
-}
-
 void setBold(QLabel& label, qreal times = 1) {
     QFont font = label.font();
     font.setBold(true);
@@ -51,14 +45,14 @@ void add(QComboBox& choice, RecoveryChoice value) {
 
 RecoveryDialog::RecoveryDialog(std::span<const FoundRecovery> found, QWidget* parent)
     : QDialog(parent)
-    , title_(plainLabel(this))
-    , text_(plainLabel(this))
+    , title_(new PlainLabel(this))
+    , text_(new PlainLabel(this))
     , buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
     setObjectName(QStringLiteral("recovery"));
     setWindowIcon(applicationIcon());
     setBold(*title_, 1.3);
     text_->setWordWrap(true);
-    auto* sign = new QLabel(this);
+    auto* sign = new PlainLabel(this);
     sign->setPixmap(applicationIcon().pixmap(kIconSize, kIconSize));
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(kMargin, kMargin, kMargin, kGap);
@@ -108,11 +102,11 @@ QWidget* RecoveryDialog::makeRows(std::span<const FoundRecovery> found) {
 }
 
 RecoveryDialog::Row RecoveryDialog::makeRow(const FoundRecovery& found, QWidget* parent) const {
-    Row row{&found, plainLabel(parent), plainLabel(parent), nullptr, new QComboBox(parent)};
+    Row row{&found, new PlainLabel(parent), new PlainLabel(parent), nullptr, new QComboBox(parent)};
     setBold(*row.name);
     row.place->setMinimumWidth(kPlaceWidth);
     if (found.state != RecoveryState::Whole)
-        row.damage = plainLabel(parent);
+        row.damage = new PlainLabel(parent);
     if (found.state != RecoveryState::Unreadable)
         add(*row.choice, RecoveryChoice::Recover);
     add(*row.choice, RecoveryChoice::Later);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/sheets/properties/properties_panel.h"
-#include "ui/sheets/results/latest_work.h"
+#include "ui/sheets/results/coalescing_worker.h"
 
 #include <QCheckBox>
 
