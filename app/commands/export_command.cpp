@@ -95,9 +95,10 @@ ExitCode exportOne(const QString& file, const ExportRequest& request) {
         return refused(fault, ExitCode::usage);
     const QString output = outputFor(request.output, file, *sheet);
     const bool isNumbered = output.contains(kFrame) && !request.options.frames.empty();
-    const std::vector<ui::FigureFile> made = isNumbered
-                                                 ? ui::frameFiles(*document, *sheet, request.options)
-                                                 : std::vector{ui::figureFile(*document, *sheet, request.options)};
+    WorkBudget budget(limits::kSteps);
+    const std::vector<ui::FigureFile> made =
+        isNumbered ? ui::frameFiles(*document, *sheet, request.options, budget)
+                   : std::vector{ui::figureFile(*document, *sheet, request.options, budget)};
     for (std::size_t i = 0; i < made.size(); ++i) {
         if (!std::holds_alternative<QByteArray>(made[i]))
             return refused(QStringLiteral("%1: %2").arg(file, faultText(made[i])),

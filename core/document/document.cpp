@@ -270,7 +270,8 @@ Figure figureOfCurves(const Sheet& sheet, SheetIndex index) {
 }
 
 Figure figureOf(const Sheet& sheet, SheetIndex index) {
-    return figureOf(sheet, index, shownRelations(sheet, index));
+    WorkBudget budget(limits::kSteps);
+    return figureOf(sheet, index, shownRelations(sheet, index, budget));
 }
 
 Figure figureOf(const Sheet& sheet, SheetIndex index, const Relations& relations) {
@@ -280,10 +281,10 @@ Figure figureOf(const Sheet& sheet, SheetIndex index, const Relations& relations
     return united({figureOfCurves(sheet, index), shownLayers(relations.figure, layers, {.view = &sheet.view})}, layers);
 }
 
-Relations shownRelations(const Sheet& sheet, SheetIndex index) {
+Relations shownRelations(const Sheet& sheet, SheetIndex index, WorkBudget& budget) {
     const bool areShown = std::ranges::any_of(
         layersOf(index), [&](const LayerInfo& layer) { return layer.isOfSheet && isShown(layer, sheet.view); });
-    return areShown ? relationsOf(sheet, index) : Relations(); // they may take seconds
+    return areShown ? relationsOf(sheet, index, budget).value_or(Relations()) : Relations(); // they may take seconds
 }
 
 } // namespace kriva

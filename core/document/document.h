@@ -108,8 +108,8 @@ template <class C>
 [[nodiscard]] Figure figureOf(const Sheet& sheet, SheetIndex index);
 /// The same with relations that are known, as shownRelations() gives them.
 [[nodiscard]] Figure figureOf(const Sheet& sheet, SheetIndex index, const Relations& relations);
-/// What the curves have with each other if the view shows it, otherwise empty.
-[[nodiscard]] Relations shownRelations(const Sheet& sheet, SheetIndex index);
+/// What the curves have with each other if the view shows it, otherwise empty, and where it was stopped.
+[[nodiscard]] Relations shownRelations(const Sheet& sheet, SheetIndex index, WorkBudget& budget);
 /// The same without the relations of the curves: quick, and of the same box.
 [[nodiscard]] Figure figureOfCurves(const Sheet& sheet, SheetIndex index);
 

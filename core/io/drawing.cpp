@@ -1,5 +1,6 @@
 #include "core/io/drawing.h"
 
+#include "core/document/limits.h"
 #include "core/figure/plot/plot_figure.h"
 
 #include <algorithm>
@@ -77,14 +78,14 @@ struct FrameFigures {
     std::optional<FileError> refusal;
 };
 std::optional<FrameFigures> frameFigures(const Document& document, SheetIndex sheet, std::span<const FramePlace> places,
-                                         const DrawingOptions& options) {
+                                         const DrawingOptions& options, WorkBudget& budget) {
     const Sheet onView = chosen(document.sheets[sheet], sheet, options);
     FrameFigures frames;
     for (const FramePlace& place : places) {
         const std::optional<Sheet> frame = atFrame(onView, place);
         if (!frame)
             return {};
-        const Relations relations = shownRelations(*frame, sheet);
+        const Relations relations = shownRelations(*frame, sheet, budget);
         if (relations.refusal)
             frames.refusal = relations.refusal;
         frames.figures.push_back(lettered(figureOf(*frame, sheet, relations), options));
@@ -111,8 +112,14 @@ void move(Figure& figure, Vector by) {
 } // namespace
 
 Drawing drawingOf(const Document& document, SheetIndex sheet, const TextSource& texts, const DrawingOptions& options) {
+    WorkBudget budget(limits::kSteps);
+    return drawingOf(document, sheet, texts, options, budget);
+}
+
+Drawing drawingOf(const Document& document, SheetIndex sheet, const TextSource& texts, const DrawingOptions& options,
+                  WorkBudget& budget) {
     const Sheet onView = chosen(document.sheets[sheet], sheet, options);
-    const Relations relations = shownRelations(onView, sheet);
+    const Relations relations = shownRelations(onView, sheet, budget);
     Figure figure = lettered(figureOf(onView, sheet, relations), options);
     const Box box = boxOf(figure);
     Drawing drawing = drawn(std::move(figure), box, document, sheet, texts, options);
@@ -123,8 +130,8 @@ Drawing drawingOf(const Document& document, SheetIndex sheet, const TextSource& 
 
 std::optional<std::vector<Drawing>> framesOf(const Document& document, SheetIndex sheet,
                                              std::span<const FramePlace> places, const TextSource& texts,
-                                             const DrawingOptions& options) {
-    std::optional<FrameFigures> frames = frameFigures(document, sheet, places, options);
+                                             const DrawingOptions& options, WorkBudget& budget) {
+    std::optional<FrameFigures> frames = frameFigures(document, sheet, places, options, budget);
     if (!frames)
         return {};
     std::vector<Drawing> drawings;
@@ -136,9 +143,9 @@ std::optional<std::vector<Drawing>> framesOf(const Document& document, SheetInde
 }
 
 std::optional<Drawing> frameStripOf(const Document& document, SheetIndex sheet, std::span<const FramePlace> places,
-                                    const TextSource& texts, const DrawingOptions& options) {
+                                    const TextSource& texts, const DrawingOptions& options, WorkBudget& budget) {
     constexpr double kGap = 0.18; // of a frame's longer side: more than its labels need
-    std::optional<FrameFigures> frames = frameFigures(document, sheet, places, options);
+    std::optional<FrameFigures> frames = frameFigures(document, sheet, places, options, budget);
     if (!frames)
         return {};
     const double step = frames->box.width() + kGap * std::max(frames->box.width(), frames->box.height());

@@ -23,19 +23,22 @@ struct Drawing {
     std::optional<FileError> refusal = {};
 };
 
-/// The figure of a sheet.
+/// The figure of a sheet. Where the budget is stopped, its curves alone; what is beyond its steps is told in `refusal`.
+[[nodiscard]] Drawing drawingOf(const Document& document, SheetIndex sheet, const TextSource& texts,
+                                const DrawingOptions& options, WorkBudget& budget);
+/// The same within limits::kSteps.
 [[nodiscard]] Drawing drawingOf(const Document& document, SheetIndex sheet, const TextSource& texts,
                                 const DrawingOptions& options = {});
 
 /// Frames of the animation of a sheet's active curve on pages of one size and scale: where the options give a width, of
-/// that one. Nothing where the curve has one of the places not.
+/// that one. Nothing where the curve lacks one of the places.
 [[nodiscard]] std::optional<std::vector<Drawing>> framesOf(const Document& document, SheetIndex sheet,
                                                            std::span<const FramePlace> places, const TextSource& texts,
-                                                           const DrawingOptions& options = {});
+                                                           const DrawingOptions& options, WorkBudget& budget);
 /// The same side by side on one page, from left to right; a width is that of all together.
 [[nodiscard]] std::optional<Drawing> frameStripOf(const Document& document, SheetIndex sheet,
                                                   std::span<const FramePlace> places, const TextSource& texts,
-                                                  const DrawingOptions& options = {});
+                                                  const DrawingOptions& options, WorkBudget& budget);
 
 /// Plots one above the other, each of the shape that PlotSize has at first and, without a width, of its size. They have
 /// no scale.

@@ -5,6 +5,7 @@
 
 #include <QClipboard>
 #include <QMimeData>
+#include <QThreadPool>
 
 namespace kriva::ui {
 namespace {
@@ -13,10 +14,13 @@ class ExportDialogTest : public test::PanelTest {
   protected:
     ExportDialogTest()
         : PanelTest(2)
-        , dialog_(sheetToExport(document().value(), sheet_), {}) {
+        , dialog_(sheetToExport(document().value(), sheet_), {}, shell.window.workers()) {
         dialog_.show();
     }
-    [[nodiscard]] const Drawing& shown() { return dialog_.findChild<FigurePreview*>()->drawing(); }
+    [[nodiscard]] const Drawing& shown() {
+        test::settle();
+        return dialog_.findChild<FigurePreview*>()->drawing();
+    }
     void chooseFormat(FigureFormat format) {
         auto& box = test::named<QComboBox>(dialog_, "Format");
         box.setCurrentIndex(box.findData(static_cast<int>(format)));
@@ -80,10 +84,16 @@ TEST_F(ExportDialogTest, offersNoFramesOfASpline) {
 TEST(ExportDialogOfAnimation, showsTheFramesSideBySide) {
     Document document;
     document.sheets[0].curves = {withPointsAdded(emptyCurve(0), Points{{0, 0}, {1, 2}, {3, 2}, {4, 0}})};
-    ExportDialog dialog(sheetToExport(document, 0), {});
+    QThreadPool workers;
+    ExportDialog dialog(sheetToExport(document, 0), {}, workers);
     dialog.show();
     const auto& preview = *dialog.findChild<FigurePreview*>();
-    const auto width = [&] { return boxOf(preview.drawing().figure).width(); };
+    const auto width = [&] {
+        QApplication::processEvents();
+        workers.waitForDone();
+        QApplication::processEvents();
+        return boxOf(preview.drawing().figure).width();
+    };
     EXPECT_EQ(width(), 4);
     test::type(test::named<QLineEdit>(dialog, "Frames"), "0; 2");
     EXPECT_GT(width(), 8);
@@ -117,7 +127,7 @@ TEST_F(ExportDialogTest, beginsWithWhatWasChosenTheLastTime) {
     options.drawing = {.width = 77, .margin = 2, .layers = {{"curve", "knots"}}, .hasLabels = false};
     options.dpi = 150;
     options.isTransparent = true;
-    const ExportDialog again(sheetToExport(document().value(), sheet_), options);
+    const ExportDialog again(sheetToExport(document().value(), sheet_), options, shell.window.workers());
     const FigureFileOptions kept = again.options();
     EXPECT_EQ(kept.format, FigureFormat::png);
     EXPECT_EQ(kept.drawing.width, 77);
@@ -133,7 +143,8 @@ TEST(ExportDialogOfPlots, hasWhatPlotsHave) {
     plot.lines = {{graphPath(std::vector<double>{0, 1}, 0, 1), Role::plotLine, 0, Caption::none, "B", "1"}};
     FigureFileOptions options;
     options.drawing.margin = 2;
-    ExportDialog dialog(plotsToExport({plot, plot}), options);
+    QThreadPool workers;
+    ExportDialog dialog(plotsToExport({plot, plot}), options, workers);
     dialog.show();
     const auto offers = [&](const char* text) {
         const auto boxes = dialog.findChildren<QCheckBox*>();

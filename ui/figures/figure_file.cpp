@@ -115,20 +115,21 @@ FigureFile drawingFile(const Drawing& drawing, const FigureFileOptions& options)
 
 namespace {
 
-FigureFile framesFile(const Document& document, SheetIndex sheet, const FigureFileOptions& options) {
+FigureFile framesFile(const Document& document, SheetIndex sheet, const FigureFileOptions& options,
+                      WorkBudget& budget) {
     const TextSource texts = textSource();
     SvgOptions svg = svgOptions(options);
     if (options.holdsDocument)
         svg.document = documentForSvg(document);
     if (options.format == FigureFormat::svg && options.isAnimated) {
-        const auto frames = framesOf(document, sheet, options.frames, texts, options.drawing);
+        const auto frames = framesOf(document, sheet, options.frames, texts, options.drawing, budget);
         if (!frames)
             return FigureFault::noSuchFrame;
         if (frames->front().refusal)
             return *frames->front().refusal;
         return bytesOf(writeAnimatedSvg(*frames, options.frameSeconds, texts, svg));
     }
-    const auto strip = frameStripOf(document, sheet, options.frames, texts, options.drawing);
+    const auto strip = frameStripOf(document, sheet, options.frames, texts, options.drawing, budget);
     if (!strip)
         return FigureFault::noSuchFrame;
     if (options.format != FigureFormat::svg || strip->refusal)
@@ -138,8 +139,9 @@ FigureFile framesFile(const Document& document, SheetIndex sheet, const FigureFi
 
 } // namespace
 
-std::vector<FigureFile> frameFiles(const Document& document, SheetIndex sheet, const FigureFileOptions& options) {
-    const auto frames = framesOf(document, sheet, options.frames, textSource(), options.drawing);
+std::vector<FigureFile> frameFiles(const Document& document, SheetIndex sheet, const FigureFileOptions& options,
+                                   WorkBudget& budget) {
+    const auto frames = framesOf(document, sheet, options.frames, textSource(), options.drawing, budget);
     if (!frames)
         return {FigureFault::noSuchFrame};
     std::vector<FigureFile> files;
@@ -148,13 +150,14 @@ std::vector<FigureFile> frameFiles(const Document& document, SheetIndex sheet, c
     return files;
 }
 
-FigureFile figureFile(const Document& document, SheetIndex sheet, const FigureFileOptions& options) {
+FigureFile figureFile(const Document& document, SheetIndex sheet, const FigureFileOptions& options,
+                      WorkBudget& budget) {
     const TextSource texts = textSource();
     if (options.format == FigureFormat::csv)
         return bytesOf(writePointsCsv(document.sheets[sheet], options.drawing.curve));
     if (!options.frames.empty())
-        return framesFile(document, sheet, options);
-    const Drawing drawing = drawingOf(document, sheet, texts, options.drawing);
+        return framesFile(document, sheet, options, budget);
+    const Drawing drawing = drawingOf(document, sheet, texts, options.drawing, budget);
     if (options.format != FigureFormat::svg || !options.holdsDocument || drawing.refusal)
         return drawingFile(drawing, options);
     SvgOptions svg = svgOptions(options);

@@ -34,11 +34,13 @@ using FigureFile = std::variant<QByteArray, FigureFault, FileError>;
 /// The file of a drawing, which is no document and has no points: not CSV.
 [[nodiscard]] FigureFile drawingFile(const Drawing& drawing, const FigureFileOptions& options);
 
-/// The file of a sheet's figure, or of the frames asked for. CSV holds the points of the curves that are drawn.
-[[nodiscard]] FigureFile figureFile(const Document& document, SheetIndex sheet, const FigureFileOptions& options);
+/// The file of a sheet's figure, or of the frames asked for; on any thread. CSV holds the points of the curves that are
+/// drawn. Of no use where the budget was stopped.
+[[nodiscard]] FigureFile figureFile(const Document& document, SheetIndex sheet, const FigureFileOptions& options,
+                                    WorkBudget& budget);
 
 /// A file for each of the frames, without a document; all pages are of one size. Not CSV.
 [[nodiscard]] std::vector<FigureFile> frameFiles(const Document& document, SheetIndex sheet,
-                                                 const FigureFileOptions& options);
+                                                 const FigureFileOptions& options, WorkBudget& budget);
 
 } // namespace kriva::ui

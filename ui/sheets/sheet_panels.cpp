@@ -101,8 +101,9 @@ QWidget* SheetPanels::properties() const {
 
 QWidget* SheetPanels::plots() {
     auto* panel = new PlotsPanel(editor_, ui_.plots);
-    QObject::connect(panel, &PlotsPanel::exportRequested, &tab_,
-                     [this](const std::vector<Plot>& shown) { exportPlots(shown, exportedPlots_, &tab_); });
+    QObject::connect(panel, &PlotsPanel::exportRequested, &tab_, [this](const std::vector<Plot>& shown) {
+        exportPlots(shown, exportedPlots_, editor_.workers(), &tab_);
+    });
     return panel;
 }
 

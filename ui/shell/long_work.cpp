@@ -38,13 +38,12 @@ QDialog* waitingDialog(const QString& sentence, QWidget* window) {
 
 } // namespace
 
-bool finishes(const std::function<void(WorkBudget&)>& work, const QString& sentence, QWidget* window) {
+bool finishes(const std::function<void(std::stop_token)>& work, const QString& sentence, QWidget* window) {
     std::stop_source stop;
     bool hasEnded = false;
     QEventLoop waiting;
     const std::jthread thread([&] {
-        WorkBudget budget(WorkBudget::kUnlimited, stop.get_token());
-        work(budget);
+        work(stop.get_token());
         QMetaObject::invokeMethod(&waiting, [&] {
             hasEnded = true;
             waiting.quit();

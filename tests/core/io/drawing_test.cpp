@@ -67,14 +67,15 @@ Document raisedArch() {
 TEST(Frames, haveOnePageAndTheirStages) {
     const std::vector<FramePlace> places{{FramePlace::Over::stage, 0}, {FramePlace::Over::stage, 7}};
     const Document document = raisedArch();
-    const auto frames = framesOf(document, 0, places, kDrawingTexts);
+    WorkBudget budget;
+    const auto frames = framesOf(document, 0, places, kDrawingTexts, {}, budget);
     ASSERT_TRUE(frames);
     ASSERT_EQ(frames->size(), 2U);
     EXPECT_EQ((*frames)[0].page.width, (*frames)[1].page.width);
     Document last = document;
     std::get<ElevationCurve>(last.sheets[0].curves[0]).times = 7;
     EXPECT_EQ((*frames)[1].figure, drawingOf(last, 0, kDrawingTexts).figure);
-    const auto strip = frameStripOf(document, 0, places, kDrawingTexts, {.width = 200});
+    const auto strip = frameStripOf(document, 0, places, kDrawingTexts, {.width = 200}, budget);
     ASSERT_TRUE(strip);
     EXPECT_EQ(strip->page.width, 200);
     EXPECT_GT(boxOf(strip->figure).width(), 2 * boxOf((*frames)[0].figure).width());
@@ -108,7 +109,8 @@ TEST(DrawingOfPlots, hasTheSizeLayersAndTitlesAskedFor) {
 
 TEST(Frames, areOnlyThoseThatTheCurveHas) {
     const auto has = [](const Document& document, SheetIndex sheet, FramePlace place) {
-        return framesOf(document, sheet, {&place, 1}, kDrawingTexts).has_value();
+        WorkBudget budget;
+        return framesOf(document, sheet, {&place, 1}, kDrawingTexts, {}, budget).has_value();
     };
     using enum FramePlace::Over;
     Document document = raisedArch();

@@ -1,5 +1,6 @@
 #include "ui/shell/export/export_dialog.h"
 
+#include "core/document/limits.h"
 #include "ui/figures/caption_text.h"
 #include "ui/shell/look/plain_label.h"
 
@@ -30,9 +31,12 @@ double rounded(double value) {
 
 } // namespace
 
-ExportDialog::ExportDialog(ExportSubject subject, const FigureFileOptions& options, QWidget* parent)
+ExportDialog::ExportDialog(ExportSubject subject, const FigureFileOptions& options, QThreadPool& workers,
+                           QWidget* parent)
     : QDialog(parent)
     , subject_(std::move(subject))
+    , drawing_(
+          workers, [this] { return drawing(); }, limits::kSteps)
     , preview_(new FigurePreview(this))
     , form_(new LabelledForm)
     , format_(new QComboBox(this))
@@ -128,8 +132,8 @@ void ExportDialog::fillLayers(const DrawingOptions& drawing) {
 
 void ExportDialog::connectFields() {
     connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::showFormat);
-    connect(theme_, &QComboBox::currentIndexChanged, this, &ExportDialog::showDrawing);
-    connect(layers_, &QListWidget::itemChanged, this, &ExportDialog::showDrawing);
+    connect(theme_, &QComboBox::currentIndexChanged, &drawing_, &CoalescingWorker::doSoon);
+    connect(layers_, &QListWidget::itemChanged, &drawing_, &CoalescingWorker::doSoon);
     connect(frames_, &QLineEdit::textChanged, this, &ExportDialog::showFormat);
     // One of them decides.
     connect(hasOwnWidth_, &QCheckBox::toggled, this,
@@ -139,7 +143,7 @@ void ExportDialog::connectFields() {
     for (QCheckBox* box : {hasOwnWidth_, hasOwnScale_, hasTexts_, isAnimated_, isRounded_, isTransparent_})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::showFormat);
     for (NumberField* field : {width_, scale_, margin_, frameSeconds_, decimals_, dpi_})
-        connect(field, &NumberField::valueCommitted, this, &ExportDialog::showDrawing);
+        connect(field, &NumberField::valueCommitted, &drawing_, &CoalescingWorker::doSoon);
     connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
@@ -147,7 +151,7 @@ void ExportDialog::connectFields() {
 void ExportDialog::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) {
         retranslateUi();
-        showDrawing();
+        drawing_.doSoon();
     }
     QDialog::changeEvent(event);
 }
@@ -209,13 +213,18 @@ void ExportDialog::showFormat() {
     width_->setEnabled(hasOwnWidth_->isChecked());
     scale_->setEnabled(hasOwnScale_->isChecked());
     decimals_->setEnabled(isRounded_->isChecked());
-    showDrawing();
+    drawing_.doSoon();
 }
 
-void ExportDialog::showDrawing() {
-    const FigureFileOptions wanted = options();
-    Drawing drawing = subject_.drawing(wanted);
-    drawing.hasPaper = !wanted.isTransparent || wanted.format != FigureFormat::png;
+CoalescingWorker::Work ExportDialog::drawing() {
+    return [this, make = subject_.drawing, wanted = options()](WorkBudget& budget) -> CoalescingWorker::Take {
+        Drawing made = make(wanted, budget);
+        made.hasPaper = !wanted.isTransparent || wanted.format != FigureFormat::png;
+        return [this, made = std::move(made)]() mutable { showDrawing(std::move(made)); };
+    };
+}
+
+void ExportDialog::showDrawing(Drawing drawing) {
     const Page& page = drawing.page;
     const QLocale locale;
     size_->setText(tr("%1 × %2 mm").arg(locale.toString(page.width, 'g', 4), locale.toString(page.height, 'g', 4)));

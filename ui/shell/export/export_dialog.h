@@ -4,6 +4,7 @@
 #include "ui/figures/figure_preview.h"
 #include "ui/panels/controls/labelled_form.h"
 #include "ui/panels/controls/number_field.h"
+#include "ui/sheets/results/coalescing_worker.h"
 #include "ui/shell/export/export_subject.h"
 #include "ui/shell/export/frames_field.h"
 
@@ -20,7 +21,9 @@ namespace kriva::ui {
 class ExportDialog : public QDialog {
     Q_OBJECT
   public:
-    ExportDialog(ExportSubject subject, const FigureFileOptions& options, QWidget* parent = nullptr);
+    /// The figure is made on the threads of the pool, which outlives the dialog.
+    ExportDialog(ExportSubject subject, const FigureFileOptions& options, QThreadPool& workers,
+                 QWidget* parent = nullptr);
 
     [[nodiscard]] FigureFileOptions options() const;
 
@@ -35,12 +38,15 @@ class ExportDialog : public QDialog {
     void retranslateUi();
     /// What only some formats have is there for them alone.
     void showFormat();
-    void showDrawing();
+    /// The figure for what the fields say now, on any thread.
+    [[nodiscard]] CoalescingWorker::Work drawing();
+    void showDrawing(Drawing drawing);
     [[nodiscard]] FigureFormat format() const;
     /// Nothing where they are those on view, so that frames show what their stages bring.
     [[nodiscard]] std::optional<std::vector<std::string>> checkedLayers() const;
 
     const ExportSubject subject_;
+    CoalescingWorker drawing_;
     FigurePreview* preview_;
     LabelledForm* form_;
     QComboBox* format_;

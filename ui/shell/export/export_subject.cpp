@@ -6,11 +6,11 @@
 namespace kriva::ui {
 namespace {
 
-Drawing drawn(const Document& document, SheetIndex sheet, const FigureFileOptions& options) {
+Drawing drawn(const Document& document, SheetIndex sheet, const FigureFileOptions& options, WorkBudget& budget) {
     if (!options.frames.empty())
-        if (auto strip = frameStripOf(document, sheet, options.frames, textSource(), options.drawing))
+        if (auto strip = frameStripOf(document, sheet, options.frames, textSource(), options.drawing, budget))
             return *std::move(strip);
-    return drawingOf(document, sheet, textSource(), options.drawing);
+    return drawingOf(document, sheet, textSource(), options.drawing, budget);
 }
 
 } // namespace
@@ -20,8 +20,8 @@ ExportSubject sheetToExport(Document document, SheetIndex sheet) {
     for (const LayerInfo& layer : layersOf(sheet))
         subject.layers.push_back({layer.name, layer.caption, isShown(layer, document.sheets[sheet].view)});
     subject.hasFrames = atFrame(document.sheets[sheet], {FramePlace::Over::stage, 1}).has_value();
-    subject.drawing = [document = std::move(document), sheet](const FigureFileOptions& options) {
-        return drawn(document, sheet, options);
+    subject.drawing = [document = std::move(document), sheet](const FigureFileOptions& options, WorkBudget& budget) {
+        return drawn(document, sheet, options, budget);
     };
     return subject;
 }
@@ -31,7 +31,7 @@ ExportSubject plotsToExport(std::vector<Plot> plots) {
     for (const LayerInfo& layer : plotLayers())
         subject.layers.push_back({layer.name, layer.caption});
     subject.isSheet = false;
-    subject.drawing = [plots = std::move(plots)](const FigureFileOptions& options) {
+    subject.drawing = [plots = std::move(plots)](const FigureFileOptions& options, WorkBudget&) {
         return drawingOf(plots, textSource(), options.drawing);
     };
     return subject;

@@ -16,7 +16,8 @@ struct ExportSubject {
     std::vector<LayerChoice> layers;
     bool isSheet = true;    ///< it has points, a scale, and a document that goes along
     bool hasFrames = false; ///< of an animation
-    std::function<Drawing(const FigureFileOptions&)> drawing;
+    /// On any thread; of no use where the budget was stopped.
+    std::function<Drawing(const FigureFileOptions&, WorkBudget&)> drawing;
 };
 
 /// The figure of a sheet, or frames of it side by side.

@@ -1,5 +1,6 @@
 #include "ui/shell/export/figure_export.h"
 
+#include "core/document/limits.h"
 #include "core/exchange/curve_svg.h"
 #include "ui/document/error_text.h"
 #include "ui/document/file_rights.h"
@@ -7,6 +8,7 @@
 #include "ui/figures/print_drawing.h"
 #include "ui/sheets/sheet_editor.h"
 #include "ui/shell/export/export_dialog.h"
+#include "ui/shell/long_work.h"
 #include "ui/shell/message_box.h"
 
 #include <QClipboard>
@@ -63,14 +65,24 @@ QString proposedName(const SheetEditor& editor, const QString& name, FigureForma
                                          QString::fromUtf8(sheetName(editor.index())), suffixOf(format));
 }
 
+/// The file of the stage on view; nothing where a person would not wait for it.
+std::optional<FigureFile> madeFile(const SheetEditor& editor, const FigureFileOptions& options, QWidget* window) {
+    return workedOut<FigureFile>(
+        [document = editor.documentOnView(), sheet = editor.index(), options](const std::stop_token& stop) {
+            WorkBudget budget(limits::kSteps, stop);
+            return figureFile(document, sheet, options, budget);
+        },
+        FigureExport::tr("Working out the figure…"), window);
+}
+
 FigureFileOptions optionsOf(const SheetEditor& editor) {
     return editor.sheet().view.exported.value_or(FigureFileOptions());
 }
 
 } // namespace
 
-void exportPlots(const std::vector<Plot>& plots, FigureFileOptions& options, QWidget* window) {
-    ExportDialog dialog(plotsToExport(plots), options, window);
+void exportPlots(const std::vector<Plot>& plots, FigureFileOptions& options, QThreadPool& workers, QWidget* window) {
+    ExportDialog dialog(plotsToExport(plots), options, workers, window);
     if (dialog.exec() != QDialog::Accepted)
         return;
     options = dialog.options();
@@ -87,7 +99,8 @@ FigureExport::FigureExport(QWidget* window)
     , window_(window) {}
 
 void FigureExport::ask(const SheetEditor& editor, const QString& name) {
-    ExportDialog dialog(sheetToExport(editor.documentOnView(), editor.index()), optionsOf(editor), window_);
+    ExportDialog dialog(sheetToExport(editor.documentOnView(), editor.index()), optionsOf(editor), editor.workers(),
+                        window_);
     if (dialog.exec() != QDialog::Accepted)
         return;
     const FigureFormat format = dialog.options().format;
@@ -111,27 +124,29 @@ void FigureExport::write(const SheetEditor& editor, const QString& path) {
     options.format = figureFormatOf(path).value_or(options.format);
     editor.document().setExported(editor.index(), options);
     const std::optional<FileRights> before = rightsOf(path);
-    if (!writeOrTell(figureFile(editor.documentOnView(), editor.index(), options), path, window_))
+    const std::optional<FigureFile> made = madeFile(editor, options, window_);
+    if (!made || !writeOrTell(*made, path, window_))
         return;
     paths_[editor.index()] = path;
     Q_EMIT told(keptRights(before, path) ? tr("Written: %1").arg(path) : lostRightsText(path));
 }
 
 void FigureExport::copy(const SheetEditor& editor) const {
-    const Document document = editor.documentOnView();
-    FigureFileOptions options = optionsOf(editor);
-    const Drawing drawing = drawingOf(document, editor.index(), textSource(), options.drawing);
+    constexpr std::array<std::pair<FigureFormat, const char*>, 3> kTypes{{{FigureFormat::svg, "image/svg+xml"},
+                                                                          {FigureFormat::pdf, "application/pdf"},
+                                                                          {FigureFormat::png, "image/png"}}};
     auto clip = std::make_unique<QMimeData>();
-    const auto add = [&](const char* type, const FigureFile& made) {
-        if (const QByteArray* bytes = std::get_if<QByteArray>(&made))
+    FigureFileOptions options = optionsOf(editor);
+    for (const auto& [format, type] : kTypes) {
+        options.format = format;
+        const std::optional<FigureFile> made = madeFile(editor, options, window_);
+        if (!made)
+            return;
+        if (std::holds_alternative<FileError>(*made)) // none of the others is there either
+            return tellFailure(faultText(*made), window_);
+        if (const QByteArray* bytes = std::get_if<QByteArray>(&*made))
             clip->setData(QLatin1String(type), *bytes);
-    };
-    options.format = FigureFormat::svg;
-    add("image/svg+xml", figureFile(document, editor.index(), options)); // with the document inside
-    options.format = FigureFormat::pdf;
-    add("application/pdf", drawingFile(drawing, options));
-    options.format = FigureFormat::png;
-    add("image/png", drawingFile(drawing, options));
+    }
     QGuiApplication::clipboard()->setMimeData(clip.release());
 }
 
@@ -139,11 +154,13 @@ void FigureExport::copyTikz(const SheetEditor& editor) const {
     FigureFileOptions options = optionsOf(editor);
     options.format = FigureFormat::tikz;
     options.tikz = TikzKind::fragment;
-    const FigureFile made = figureFile(editor.documentOnView(), editor.index(), options);
-    if (const QByteArray* text = std::get_if<QByteArray>(&made))
+    const std::optional<FigureFile> made = madeFile(editor, options, window_);
+    if (!made)
+        return;
+    if (const QByteArray* text = std::get_if<QByteArray>(&*made))
         QGuiApplication::clipboard()->setText(QString::fromUtf8(*text));
     else
-        tellFailure(faultText(made), window_);
+        tellFailure(faultText(*made), window_);
 }
 
 void FigureExport::copyPath(const SheetEditor& editor) const {
@@ -154,7 +171,18 @@ void FigureExport::copyPath(const SheetEditor& editor) const {
 }
 
 void FigureExport::print(const SheetEditor& editor, const QString& name) {
-    const Drawing drawing = drawingOf(editor.documentOnView(), editor.index(), textSource(), optionsOf(editor).drawing);
+    const auto made = workedOut<Drawing>(
+        [document = editor.documentOnView(), sheet = editor.index(),
+         options = optionsOf(editor).drawing](const std::stop_token& stop) {
+            WorkBudget budget(limits::kSteps, stop);
+            return drawingOf(document, sheet, textSource(), options, budget);
+        },
+        tr("Working out the figure…"), window_);
+    if (!made)
+        return;
+    if (made->refusal)
+        return tellFailure(errorText(*made->refusal), window_);
+    const Drawing& drawing = *made;
     QPrinter printer(QPrinter::HighResolution);
     printer.setDocName(name);
     printer.setPageOrientation(drawing.page.width > drawing.page.height ? QPageLayout::Landscape

@@ -7,6 +7,7 @@
 
 #include <array>
 
+class QThreadPool;
 class QWidget;
 
 namespace kriva::ui {
@@ -14,7 +15,7 @@ namespace kriva::ui {
 class SheetEditor;
 
 /// Asks how and into which file plots go, one above the other; the options begin with the last ones.
-void exportPlots(const std::vector<Plot>& plots, FigureFileOptions& options, QWidget* window);
+void exportPlots(const std::vector<Plot>& plots, FigureFileOptions& options, QThreadPool& workers, QWidget* window);
 
 /// The ways of a tab's figure out of the window: into files and onto the clipboard, always the stage on view.
 class FigureExport : public QObject {

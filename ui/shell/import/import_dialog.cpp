@@ -19,6 +19,9 @@ namespace {
 constexpr double kLeastScale = 1e-6;
 constexpr double kMostScale = 1e6;
 
+/// Of the preview, which is drawn at every change: crossings that take longer are left out.
+constexpr std::uint64_t kPreviewSteps = 50'000;
+
 } // namespace
 
 ImportDialog::ImportDialog(std::vector<ImportedPath> paths, SheetIndex sheet, QWidget* parent)
@@ -128,7 +131,8 @@ void ImportDialog::showCurves() {
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(!curves_.empty());
     Document document;
     document.sheets[sheet_].curves = curves_;
-    preview_->setDrawing(curves_.empty() ? Drawing() : drawingOf(document, sheet_, textSource()));
+    WorkBudget budget(kPreviewSteps);
+    preview_->setDrawing(curves_.empty() ? Drawing() : drawingOf(document, sheet_, textSource(), {}, budget));
 }
 
 } // namespace kriva::ui
