@@ -10,6 +10,14 @@
 namespace kriva::ui {
 namespace {
 
+/// The drawing of a dialog without a window, once it is worked out.
+const Drawing& shownIn(const ExportDialog& dialog, QThreadPool& workers) {
+    QApplication::processEvents();
+    workers.waitForDone();
+    QApplication::processEvents();
+    return dialog.findChild<FigurePreview*>()->drawing();
+}
+
 class ExportDialogTest : public test::PanelTest {
   protected:
     ExportDialogTest()
@@ -87,13 +95,7 @@ TEST(ExportDialogOfAnimation, showsTheFramesSideBySide) {
     QThreadPool workers;
     ExportDialog dialog(sheetToExport(document, 0), {}, workers);
     dialog.show();
-    const auto& preview = *dialog.findChild<FigurePreview*>();
-    const auto width = [&] {
-        QApplication::processEvents();
-        workers.waitForDone();
-        QApplication::processEvents();
-        return boxOf(preview.drawing().figure).width();
-    };
+    const auto width = [&] { return boxOf(shownIn(dialog, workers).figure).width(); };
     EXPECT_EQ(width(), 4);
     test::type(test::named<QLineEdit>(dialog, "Frames"), "0; 2");
     EXPECT_GT(width(), 8);
@@ -157,16 +159,15 @@ TEST(ExportDialogOfPlots, hasWhatPlotsHave) {
     EXPECT_EQ(test::named<QComboBox>(dialog, "Format").count(), 4) << "it has no points";
     test::click(test::saying<QCheckBox>(dialog, "Set the &width"));
     test::type(test::named<NumberField>(dialog, "Width (mm)"), "84");
-    const auto& preview = *dialog.findChild<FigurePreview*>();
-    EXPECT_EQ(preview.drawing().page.width, 84);
-    EXPECT_EQ(preview.drawing().page.height, 104) << "two of 80 by 50 and the margin";
+    EXPECT_EQ(shownIn(dialog, workers).page.width, 84);
+    EXPECT_EQ(shownIn(dialog, workers).page.height, 104) << "two of 80 by 50 and the margin";
     auto& layers = test::named<QListWidget>(dialog, "Layers");
     ASSERT_EQ(layers.item(0)->text(), QStringLiteral("Grid"));
     layers.item(0)->setCheckState(Qt::Unchecked);
-    EXPECT_NE(preview.drawing().figure.layers.front().name, "plot-grid");
+    EXPECT_NE(shownIn(dialog, workers).figure.layers.front().name, "plot-grid");
     EXPECT_EQ(dialog.options().drawing.layers->size(), 6U);
     test::click(test::saying<QCheckBox>(dialog, "Text&s in the figure"));
-    for (const Layer& layer : preview.drawing().figure.layers)
+    for (const Layer& layer : shownIn(dialog, workers).figure.layers)
         EXPECT_TRUE(layer.labels.empty());
 }
 
