@@ -614,7 +614,7 @@
     </message>
     <message>
         <source>The clipboard: its curve cannot be read: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Буферът за обмен: кривата му не може да се прочете: %1</translation>
     </message>
 </context>
 <context>
@@ -1107,23 +1107,23 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
     <message>
         <source>a sheet takes at most %1 curves, and these are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>листът побира най-много %1 криви, а тези са %2</translation>
     </message>
     <message>
         <source>a sheet takes at most %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>листът побира най-много %1 точки</translation>
     </message>
     <message>
         <source>a sheet takes at most %1 points of elevated curves and of pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>листът побира най-много %1 точки на криви с повишена степен и на части</translation>
     </message>
     <message>
         <source>this curve takes at most %1 points, and would have %2</source>
-        <translation type="unfinished"></translation>
+        <translation>тази крива побира най-много %1 точки, а би имала %2</translation>
     </message>
     <message>
         <source>interpolation takes at most %1 points in a monotone run, and one has %2</source>
-        <translation type="unfinished"></translation>
+        <translation>интерполацията допуска най-много %1 точки в монотонен участък, а един има %2</translation>
     </message>
     <message>
         <source>a report takes at most %1 segments of a sheet, and these are %2</source>
@@ -1139,47 +1139,47 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
     <message>
         <source>coordinates go from %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>координатите са от %1 до %2</translation>
     </message>
     <message>
         <source>more than %1 uses of elements are too many</source>
-        <translation type="unfinished"></translation>
+        <translation>повече от %1 използвания на елементи са твърде много</translation>
     </message>
     <message>
         <source>uses of elements are nested more than %1 deep</source>
-        <translation type="unfinished"></translation>
+        <translation>използванията на елементи са вложени на повече от %1 нива</translation>
     </message>
     <message>
         <source>there is something behind the end of the outermost element</source>
-        <translation type="unfinished"></translation>
+        <translation>има нещо след края на най-външния елемент</translation>
     </message>
     <message>
         <source>the attribute “%1” stands here twice</source>
-        <translation type="unfinished"></translation>
+        <translation>атрибутът „%1“ стои тук два пъти</translation>
     </message>
     <message>
         <source>the entity “%1” is unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>същността „%1“ е непозната</translation>
     </message>
     <message>
         <source>this is no UTF-8, which the file says that it is</source>
-        <translation type="unfinished"></translation>
+        <translation>това не е UTF-8, какъвто файлът твърди, че е</translation>
     </message>
     <message>
         <source>the attribute “%1” leads beyond the coordinates from %2 to %3</source>
-        <translation type="unfinished"></translation>
+        <translation>атрибутът „%1“ извежда извън координатите от %2 до %3</translation>
     </message>
     <message>
         <source>curve %1</source>
-        <translation type="unfinished"></translation>
+        <translation>крива %1</translation>
     </message>
     <message>
         <source>curve %1, “%2”</source>
-        <translation type="unfinished"></translation>
+        <translation>крива %1, „%2“</translation>
     </message>
     <message>
         <source>%1, the document inside</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, документът вътре</translation>
     </message>
 </context>
 <context>

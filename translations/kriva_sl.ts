@@ -614,7 +614,7 @@
     </message>
     <message>
         <source>The clipboard: its curve cannot be read: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Odložišče: njegove krivulje ni mogoče prebrati: %1</translation>
     </message>
 </context>
 <context>
@@ -1109,23 +1109,23 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
     <message>
         <source>a sheet takes at most %1 curves, and these are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>list sprejme največ %1 krivulj, teh pa je %2</translation>
     </message>
     <message>
         <source>a sheet takes at most %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>list sprejme največ %1 točk</translation>
     </message>
     <message>
         <source>a sheet takes at most %1 points of elevated curves and of pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>list sprejme največ %1 točk krivulj zvišane stopnje in kosov</translation>
     </message>
     <message>
         <source>this curve takes at most %1 points, and would have %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ta krivulja sprejme največ %1 točk, imela pa bi jih %2</translation>
     </message>
     <message>
         <source>interpolation takes at most %1 points in a monotone run, and one has %2</source>
-        <translation type="unfinished"></translation>
+        <translation>interpolacija dopušča največ %1 točk v monotonem odseku, eden pa jih ima %2</translation>
     </message>
     <message>
         <source>a report takes at most %1 segments of a sheet, and these are %2</source>
@@ -1141,47 +1141,47 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
     <message>
         <source>coordinates go from %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>koordinate so od %1 do %2</translation>
     </message>
     <message>
         <source>more than %1 uses of elements are too many</source>
-        <translation type="unfinished"></translation>
+        <translation>več kot %1 uporab elementov je preveč</translation>
     </message>
     <message>
         <source>uses of elements are nested more than %1 deep</source>
-        <translation type="unfinished"></translation>
+        <translation>uporabe elementov so vgnezdene globlje od %1</translation>
     </message>
     <message>
         <source>there is something behind the end of the outermost element</source>
-        <translation type="unfinished"></translation>
+        <translation>za koncem najbolj zunanjega elementa nekaj je</translation>
     </message>
     <message>
         <source>the attribute “%1” stands here twice</source>
-        <translation type="unfinished"></translation>
+        <translation>atribut »%1« je tu dvakrat</translation>
     </message>
     <message>
         <source>the entity “%1” is unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>entiteta »%1« ni znana</translation>
     </message>
     <message>
         <source>this is no UTF-8, which the file says that it is</source>
-        <translation type="unfinished"></translation>
+        <translation>to ni UTF-8, kar datoteka trdi, da je</translation>
     </message>
     <message>
         <source>the attribute “%1” leads beyond the coordinates from %2 to %3</source>
-        <translation type="unfinished"></translation>
+        <translation>atribut »%1« vodi čez koordinate od %2 do %3</translation>
     </message>
     <message>
         <source>curve %1</source>
-        <translation type="unfinished"></translation>
+        <translation>krivulja %1</translation>
     </message>
     <message>
         <source>curve %1, “%2”</source>
-        <translation type="unfinished"></translation>
+        <translation>krivulja %1, »%2«</translation>
     </message>
     <message>
         <source>%1, the document inside</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, dokument v njej</translation>
     </message>
 </context>
 <context>

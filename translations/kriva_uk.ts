@@ -614,7 +614,7 @@
     </message>
     <message>
         <source>The clipboard: its curve cannot be read: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Буфер обміну: його криву неможливо прочитати: %1</translation>
     </message>
 </context>
 <context>
@@ -1108,23 +1108,23 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
     <message>
         <source>a sheet takes at most %1 curves, and these are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>аркуш уміщує щонайбільше %1 кривих, а цих %2</translation>
     </message>
     <message>
         <source>a sheet takes at most %1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>аркуш уміщує щонайбільше %1 точок</translation>
     </message>
     <message>
         <source>a sheet takes at most %1 points of elevated curves and of pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>аркуш уміщує щонайбільше %1 точок кривих підвищеного степеня та частин</translation>
     </message>
     <message>
         <source>this curve takes at most %1 points, and would have %2</source>
-        <translation type="unfinished"></translation>
+        <translation>ця крива вміщує щонайбільше %1 точок, а мала б %2</translation>
     </message>
     <message>
         <source>interpolation takes at most %1 points in a monotone run, and one has %2</source>
-        <translation type="unfinished"></translation>
+        <translation>інтерполяція допускає щонайбільше %1 точок на монотонній ділянці, а одна має %2</translation>
     </message>
     <message>
         <source>a report takes at most %1 segments of a sheet, and these are %2</source>
@@ -1140,47 +1140,47 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
     <message>
         <source>coordinates go from %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>координати йдуть від %1 до %2</translation>
     </message>
     <message>
         <source>more than %1 uses of elements are too many</source>
-        <translation type="unfinished"></translation>
+        <translation>понад %1 використань елементів — забагато</translation>
     </message>
     <message>
         <source>uses of elements are nested more than %1 deep</source>
-        <translation type="unfinished"></translation>
+        <translation>використання елементів вкладено глибше ніж %1</translation>
     </message>
     <message>
         <source>there is something behind the end of the outermost element</source>
-        <translation type="unfinished"></translation>
+        <translation>є щось після кінця найзовнішнього елемента</translation>
     </message>
     <message>
         <source>the attribute “%1” stands here twice</source>
-        <translation type="unfinished"></translation>
+        <translation>атрибут «%1» стоїть тут двічі</translation>
     </message>
     <message>
         <source>the entity “%1” is unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>сутність «%1» невідома</translation>
     </message>
     <message>
         <source>this is no UTF-8, which the file says that it is</source>
-        <translation type="unfinished"></translation>
+        <translation>це не UTF-8, хоча файл стверджує, що це він</translation>
     </message>
     <message>
         <source>the attribute “%1” leads beyond the coordinates from %2 to %3</source>
-        <translation type="unfinished"></translation>
+        <translation>атрибут «%1» виводить за координати від %2 до %3</translation>
     </message>
     <message>
         <source>curve %1</source>
-        <translation type="unfinished"></translation>
+        <translation>крива %1</translation>
     </message>
     <message>
         <source>curve %1, “%2”</source>
-        <translation type="unfinished"></translation>
+        <translation>крива %1, «%2»</translation>
     </message>
     <message>
         <source>%1, the document inside</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, документ усередині</translation>
     </message>
 </context>
 <context>

@@ -74,7 +74,7 @@ TEST_F(ImportCommand, refusesInOneLineThatNamesThePlace) {
                   "kriva: missing.csv: there is no such file");
     write("d.csv", QByteArray("1 2\n3 4\n").repeated(101));
     expectOneLine(run("import d.csv -o out.kriva --sheet elevation"), ExitCode::refused,
-                  "kriva: d.csv: curves[0]: more than 201 is too many");
+                  "kriva: d.csv: curve 1: this curve takes at most 201 points, and would have 202");
     EXPECT_EQ(read("out.kriva"), QByteArray());
 }
 

@@ -65,7 +65,7 @@ TEST(FoundInputs, twoRootsAreRefusedWhereTheSecondBegins) {
     const FileError error = refusalOf("two-roots.svg");
     EXPECT_EQ(error.problem, FileProblem::secondRoot);
     EXPECT_EQ(error.line, 1);
-    EXPECT_EQ(error.column, 69);
+    EXPECT_EQ(error.column, 68);
 }
 
 TEST(FoundInputs, aFarPathBlamesItsData) {

@@ -1,5 +1,5 @@
-#include "core/io/svg/xml_text.h"
 #include "core/document/text/utf8.h"
+#include "core/io/svg/xml_text.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -19,7 +19,7 @@ TEST(XmlText, replacesWhatXmlDoesNotAllow) {
     EXPECT_EQ(xmlText("\u0085"), replacement);
     EXPECT_EQ(xmlText("\uFFFE\uFFFF"), replacement + replacement);
     EXPECT_EQ(xmlText("\xff"), replacement);
-    EXPECT_EQ(xmlText("\xed\xa0\x80"), replacement + replacement + replacement) << "a surrogate";
+    EXPECT_EQ(xmlText("\xed\xa0\x80"), replacement) << "a surrogate";
     EXPECT_EQ(xmlText("\xc0\xaf"), replacement + replacement) << "an overlong form";
     EXPECT_EQ(xmlText("\xe2\x82"), replacement + replacement) << "cut off";
 }
