@@ -1,6 +1,7 @@
 #include "app/editor.h"
 
 #include "app/end_signals.h"
+#include "app/kept_memory.h"
 #include "app/sheet_catalog.h"
 #include "ui/document/recovery/state_folder.h"
 #include "ui/shell/document_session.h"
@@ -121,6 +122,7 @@ class Editor : public QObject {
 } // namespace
 
 int runEditor(const EditorStart& start) {
+    keepFreedMemory();
     Editor editor(start);
     editor.openWindows(start.files);
     return QApplication::exec();

@@ -21,19 +21,23 @@ class CellField : public CheckedField {
         : CheckedField(parent)
         , model_(model)
         , index_(index) {
-        showHeld();
+        follow();
     }
-    void follow() { followHeld(); }
+    void follow() {
+        held_ = index_.data(Qt::EditRole).toString();
+        followHeld();
+    }
 
   protected:
     [[nodiscard]] bool accepts(const QString& text) const override { return model_.accepts(index_, text); }
     [[nodiscard]] QString refusal() const override { return model_.needed(index_); }
-    [[nodiscard]] QString heldText() const override { return index_.data(Qt::EditRole).toString(); }
-    void apply(const QString& text) override { model_.setData(index_, text, Qt::EditRole); }
+    [[nodiscard]] QString heldText() const override { return held_; }
+    void apply(const QString& text) override { held_ = text; } // the delegate hands it on
 
   private:
     PointsModel& model_;
     QPersistentModelIndex index_;
+    QString held_;
 };
 
 /// Whether the key means to leave the cell with what was typed.
@@ -86,12 +90,16 @@ void PointDelegate::setEditorData(QWidget* editor, const QModelIndex& index) con
 
 void PointDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const {
     auto* field = static_cast<CheckedField*>(editor);
-    auto* coordinate = qobject_cast<NumberField*>(editor);
-    if (!field->commit() || !coordinate || std::isnan(coordinate->value()))
+    if (!field->commit())
         return;
     const QVariant held = index.data(Qt::EditRole);
-    if (!held.isValid() || held.toDouble() != coordinate->value())
+    const auto* coordinate = qobject_cast<NumberField*>(editor);
+    if (!coordinate) {
+        if (held.toString() != field->text())
+            model->setData(index, field->text(), Qt::EditRole);
+    } else if (!std::isnan(coordinate->value()) && (!held.isValid() || held.toDouble() != coordinate->value())) {
         model->setData(index, coordinate->value(), Qt::EditRole);
+    }
 }
 
 bool PointDelegate::eventFilter(QObject* editor, QEvent* event) {

@@ -21,11 +21,12 @@ std::size_t ownColumn(int column) {
     return static_cast<std::size_t>(column - kOwnColumns);
 }
 
-/// The first and the last row with another point; all, where no point differs: then something else does.
+/// The first and the last row with another point; all, the new one too, where no point differs: then something else
+/// does.
 std::pair<int, int> differingRows(const Points& before, const Points& now) {
     const auto first = std::ranges::mismatch(before, now).in1 - before.begin();
     if (first == std::ssize(before))
-        return {0, static_cast<int>(first) - 1};
+        return {0, static_cast<int>(first)};
     const auto isSame = [&](std::ptrdiff_t i) {
         return before[static_cast<std::size_t>(i)] == now[static_cast<std::size_t>(i)];
     };

@@ -156,8 +156,16 @@ void PointsPanel::mousePressEvent(QMouseEvent* event) {
 }
 
 void PointsPanel::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
-    QTableView::closeEditor(editor, hint);
     const bool hasAddedPoint = std::exchange(hasAddedPoint_, false);
+    const QModelIndex current = currentIndex();
+    if (hint == QAbstractItemDelegate::EditNextItem && current.row() == model_.newRow() &&
+        current.column() == PointsModel::kY) {
+        QTableView::closeEditor(editor, QAbstractItemDelegate::NoHint);
+        makeCurrent(model_.newRow(), PointsModel::kX); // and not to the first row, which nobody chose
+        edit(currentIndex());
+        return;
+    }
+    QTableView::closeEditor(editor, hint);
     if (hint == QAbstractItemDelegate::SubmitModelCache && (hasAddedPoint || currentIndex().row() == model_.newRow()))
         makeNewRowCurrent(); // Enter goes on with what is missing, of this point or of the next one
 }

@@ -129,6 +129,7 @@ void SheetPanels::setLayout(const QByteArray& layout) {
     layout_ = layout;
     if (!isLaidOut())
         return;
+    hiddenWithTab_.clear();
     tab_.restoreState(layout);
     if (!isTabShown_)
         hideFloating();

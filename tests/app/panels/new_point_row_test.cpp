@@ -138,11 +138,24 @@ TEST_F(NewPointRow, isLeftAloneByKeysThatWalkThroughIt) {
     press(Qt::Key_Down);
     EXPECT_EQ(table.currentIndex().row(), 4);
     EXPECT_TRUE(editor().selectedPoints().empty());
+    press(Qt::Key_F2);
+    press(Qt::Key_Tab); // nothing typed
+    EXPECT_EQ(table.currentIndex().row(), 4) << "and not in the first row";
+    press(Qt::Key_Escape);
+    press(Qt::Key_Up);
+    EXPECT_EQ(table.currentIndex().row(), 3);
+    expectNoStep(before);
+    EXPECT_EQ(text(4, PointsModel::kX), QString());
+}
+
+TEST_F(NewPointRow, takesYBeforeX) {
+    clickRow(3);
+    press(Qt::Key_Down);
     type("5");
     press(Qt::Key_Tab);
-    press(Qt::Key_Tab); // nothing typed
-    expectNoStep(before);
-    EXPECT_EQ(text(4, PointsModel::kX), QStringLiteral("5"));
+    type("6");
+    press(Qt::Key_Tab);
+    expectAdded({6, 5});
 }
 
 TEST_F(NewPointRow, typingWithRowsSelectedEditsTheCurrentCellOfTheirs) {

@@ -83,9 +83,7 @@ TEST(ReadDocument, readsTheActiveSheetAndTheTitle) {
 }
 
 TEST(ReadDocument, withoutAnActiveSheetOpensOnTheFirstThatHasACurve) {
-    const auto activeOf = [](const std::string& members) {
-        return sheetName(documentOf(withMembers(members)).active);
-    };
+    const auto activeOf = [](const std::string& members) { return sheetName(documentOf(withMembers(members)).active); };
     EXPECT_EQ(activeOf(R"("sheets":{"combined":{"curves":[{}]},"spline":{"curves":[{}]}})"), "spline");
     EXPECT_EQ(activeOf(R"("sheets":{"elevation":{"curves":[]},"combined":{"curves":[{}]}})"), "combined");
     EXPECT_EQ(activeOf(R"("sheets":{"elevation":{"curves":[{}]},"combined":{"curves":[{}]}})"), "elevation");

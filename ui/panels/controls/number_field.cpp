@@ -76,6 +76,8 @@ void NumberField::stepBy(int steps) {
     if (isReadOnly())
         return;
     const double from = isAccepted() ? parseNumber(text()).value_or(value_) : value_;
+    if (std::isnan(from))
+        return;
     double to = stepped(from, steps * step_);
     if (!range_.endsExcluded)
         to = std::clamp(to, range_.lowest, range_.highest);
