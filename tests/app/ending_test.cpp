@@ -5,11 +5,15 @@
 
 #include <gtest/gtest.h>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QLockFile>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <QThread>
 
 #include <csignal>
+#include <map>
+#include <memory>
 #include <random>
 
 using namespace Qt::StringLiterals;
@@ -173,11 +177,11 @@ INSTANTIATE_TEST_SUITE_P(While, EndedBy,
                          testing::Values(EndCase{SIGTERM, "edit"}, EndCase{SIGTERM, "drag"}, EndCase{SIGTERM, "dialog"},
                                          EndCase{SIGTERM, "work"}, EndCase{SIGINT, "edit"}, EndCase{SIGINT, "dialog"},
                                          EndCase{SIGHUP, "edit"}, EndCase{SIGHUP, "drag"}),
-                         [](const auto& info) {
-                             const char* signal = info.param.signal == SIGTERM  ? "Sigterm"
-                                                  : info.param.signal == SIGINT ? "Sigint"
+                         [](const auto& tested) {
+                             const char* signal = tested.param.signal == SIGTERM  ? "Sigterm"
+                                                  : tested.param.signal == SIGINT ? "Sigint"
                                                                                 : "Sighup";
-                             return std::string(signal) + "_" + info.param.how;
+                             return std::string(signal) + "_" + tested.param.how;
                          });
 
 TEST(Ending, aWindowThatIsBusyForEverEndsInTimeAllTheSame) {

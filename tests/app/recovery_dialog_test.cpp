@@ -4,6 +4,7 @@
 #include "ui/shell/recovery_dialog.h"
 
 #include <gtest/gtest.h>
+#include <QApplication>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLabel>

@@ -10,7 +10,7 @@
 namespace kriva::ui {
 namespace {
 
-constexpr int kMargin = 6; // px: a row that is seen, and takes little of the canvas
+constexpr int kNoticeMargin = 6; // px: a row that is seen, and takes little of the canvas
 
 } // namespace
 
@@ -28,7 +28,7 @@ NoticeBar::NoticeBar(DocumentSession& session, QWidget* parent)
     text_->setForegroundRole(QPalette::ToolTipText);
     text_->setWordWrap(true);
     auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(2 * kMargin, kMargin, kMargin, kMargin);
+    layout->setContentsMargins(2 * kNoticeMargin, kNoticeMargin, kNoticeMargin, kNoticeMargin);
     layout->addWidget(text_, 1);
     layout->addWidget(action_);
     layout->addWidget(leave_);

@@ -16,9 +16,9 @@
 namespace kriva::ui {
 namespace {
 
-constexpr int kIconSize = 64;
-constexpr int kMargin = 20;
-constexpr int kGap = 12;
+constexpr int kSignSize = 64;
+constexpr int kEdge = 20;
+constexpr int kRowGap = 12;
 constexpr int kPlaceWidth = 400; // px: of most folders all is seen
 constexpr int kTallest = 380;    // px of rows; beyond, they scroll
 
@@ -53,11 +53,11 @@ RecoveryDialog::RecoveryDialog(std::span<const FoundRecovery> found, QWidget* pa
     setBold(*title_, 1.3);
     text_->setWordWrap(true);
     auto* sign = new PlainLabel(this);
-    sign->setPixmap(applicationIcon().pixmap(kIconSize, kIconSize));
+    sign->setPixmap(applicationIcon().pixmap(kSignSize, kSignSize));
     auto* layout = new QGridLayout(this);
-    layout->setContentsMargins(kMargin, kMargin, kMargin, kGap);
-    layout->setHorizontalSpacing(kMargin);
-    layout->setVerticalSpacing(kGap);
+    layout->setContentsMargins(kEdge, kEdge, kEdge, kRowGap);
+    layout->setHorizontalSpacing(kEdge);
+    layout->setVerticalSpacing(kRowGap);
     layout->addWidget(sign, 0, 0, 3, 1, Qt::AlignTop);
     layout->addWidget(title_, 0, 1);
     layout->addWidget(text_, 1, 1);
@@ -73,15 +73,15 @@ QWidget* RecoveryDialog::makeRows(std::span<const FoundRecovery> found) {
     auto* area = new QScrollArea(this);
     auto* inside = new QWidget(area);
     auto* layout = new QGridLayout(inside);
-    layout->setContentsMargins(kGap, kGap, kGap, kGap);
-    layout->setHorizontalSpacing(kMargin);
+    layout->setContentsMargins(kRowGap, kRowGap, kRowGap, kRowGap);
+    layout->setHorizontalSpacing(kEdge);
     layout->setVerticalSpacing(2);
     layout->setColumnStretch(0, 1);
     int line = 0;
     for (const FoundRecovery& one : found) {
         const Row row = makeRow(one, inside);
         if (line > 0)
-            layout->setRowMinimumHeight(line++, kGap);
+            layout->setRowMinimumHeight(line++, kRowGap);
         layout->addWidget(row.choice, line, 1, row.damage ? 3 : 2, 1, Qt::AlignVCenter);
         for (QLabel* label : {row.name, row.place, row.damage})
             if (label)
@@ -97,7 +97,7 @@ QWidget* RecoveryDialog::makeRows(std::span<const FoundRecovery> found) {
     inside->setBackgroundRole(QPalette::Base);
     for (const Row& row : rows_)
         retranslate(row);
-    area->setMinimumSize(inside->sizeHint().width() + 2 * kGap, std::min(inside->sizeHint().height() + 2, kTallest));
+    area->setMinimumSize(inside->sizeHint().width() + 2 * kRowGap, std::min(inside->sizeHint().height() + 2, kTallest));
     return area;
 }
 

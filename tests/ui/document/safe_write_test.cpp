@@ -67,7 +67,7 @@ TEST_F(SafeWrite, anExistingFileKeepsItsPermissions) {
 TEST_F(SafeWrite, aNameAsLongAsNamesCanBeIsWrittenAgainAndAgain) {
     for (const int length : {1, 249, 250, 251, 254, 255}) {
         const QString path = in(QString(length, u'n'));
-        for (const QByteArray& bytes : {"one", "two", "three"}) {
+        for (const QByteArray& bytes : QByteArrayList{"one", "two", "three"}) {
             EXPECT_EQ(safeWrite(path, bytes), std::nullopt) << length;
             EXPECT_EQ(bytesOf(path), bytes);
         }
@@ -260,7 +260,7 @@ TEST_P(FaultySave, permissionsThatCannotBeSetAreLostToEverybodyElseAndSeen) {
 }
 
 INSTANTIATE_TEST_SUITE_P(ByWayOf, FaultySave, testing::Values(u"unnamed"_s, u"named"_s),
-                         [](const auto& info) { return info.param.toStdString(); });
+                         [](const auto& tested) { return tested.param.toStdString(); });
 
 TEST_F(SafeWrite, aKillAtAnyMomentLosesNothingThatWasSaidToBeSaved) {
     const QString path = in(u"a"_s);

@@ -199,13 +199,14 @@ TEST_P(DamagedRecovery, cutsAndChangedBytesAreSeen) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, DamagedRecovery, testing::Bool(),
-                         [](const auto& info) { return info.param ? "theNote" : "theWork"; });
+                         [](const auto& tested) { return tested.param ? "theNote" : "theWork"; });
 
 TEST_F(RecoveryFilesTest, aFaultInWritingLeavesOneWorkOrTheOtherWithItsNote) {
     const QList<int> sizes = test::isLongRun() ? QList<int>{5'000, 100'000, 3'000'000} : QList<int>{5'000};
     int faultCount = 0;
     for (const int size : sizes) {
         const QByteArray before = test::savedVersion(0, size);
+        ASSERT_EQ(writeRecovery(files, noteOf(before), before), std::nullopt);
         const QStringList calls = test::saveUnder(folder.path(), size, u"recovery"_s, {}).calls;
         ASSERT_EQ(calls.count(u"write"_s), 2);
         for (const test::Fault& fault : test::allFaults(calls)) {
