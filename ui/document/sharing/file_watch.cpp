@@ -32,10 +32,12 @@ void FileWatch::watch(const QString& path, const QByteArray& hash) {
     if (const QStringList watched = watcher_.files() + watcher_.directories(); !watched.isEmpty())
         watcher_.removePaths(watched);
     pause_.stop();
+    const bool wasSame = state() == FileState::Same;
     path_ = path.isEmpty() ? path : QFileInfo(path).absoluteFilePath();
     hash_ = hash;
     stamp_ = stampNow();
-    if (std::exchange(toldHash_, hash) != hash)
+    toldHash_ = hash;
+    if (!wasSame)
         Q_EMIT changed(FileState::Same);
     follow();
 }
