@@ -1,6 +1,7 @@
 #include "ui/shell/notice_bar.h"
 
 #include "ui/shell/document_session.h"
+#include "ui/shell/language/plain_text.h"
 #include "ui/shell/look/plain_label.h"
 
 #include <QEvent>
@@ -60,7 +61,7 @@ void NoticeBar::retranslateUi() {
     const bool isGone = state_ == FileState::Gone;
     text_->setText((isGone ? tr("The file “%1” was deleted or moved by another program.")
                            : tr("Another program changed the file “%1”."))
-                       .arg(session_.name()));
+                       .arg(printable(session_.name())));
     action_->setText(isGone ? tr("Save again") : tr("Reload"));
     leave_->setText(tr("Leave as it is"));
 }

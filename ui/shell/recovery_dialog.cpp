@@ -1,5 +1,6 @@
 #include "ui/shell/recovery_dialog.h"
 
+#include "ui/shell/language/plain_text.h"
 #include "ui/shell/look/icons.h"
 #include "ui/shell/look/plain_label.h"
 
@@ -24,7 +25,7 @@ constexpr int kTallest = 380;    // px of rows; beyond, they scroll
 
 /// The folder as people write it, its middle left out where it is long; file names are never broken.
 [[nodiscard]] QString shownFolder(const QString& path, const QFontMetrics& metrics) {
-    QString folder = QFileInfo(path).path();
+    QString folder = printable(QFileInfo(path).path());
     if (folder == QDir::homePath() || folder.startsWith(QDir::homePath() + QLatin1Char('/')))
         folder.replace(0, QDir::homePath().size(), QStringLiteral("~"));
     return metrics.elidedText(folder, Qt::ElideMiddle, kPlaceWidth);
@@ -116,7 +117,7 @@ RecoveryDialog::Row RecoveryDialog::makeRow(const FoundRecovery& found, QWidget*
 
 void RecoveryDialog::retranslate(const Row& row) {
     const QString path = row.found->note ? row.found->note->path : QString();
-    const QString name = path.isEmpty() ? tr("Untitled") : QFileInfo(path).fileName();
+    const QString name = path.isEmpty() ? tr("Untitled") : printable(QFileInfo(path).fileName());
     const QString time = QLocale().toString(row.found->time, QLocale::ShortFormat);
     row.name->setText(row.name->fontMetrics().elidedText(name, Qt::ElideMiddle, kPlaceWidth));
     row.place->setText(
