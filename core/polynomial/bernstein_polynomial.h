@@ -2,6 +2,7 @@
 
 #include "core/numbers/double_double.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,32 @@ template <class T>
     }
     const double factor = power(1 - t, degree);
     return {factor * values.near, factor * values.far};
+}
+
+/// The same at several t, to the last bit, in less time: each step of one of them waits for the step before it, and
+/// meanwhile the others go on.
+template <std::size_t count, class T>
+[[nodiscard]] constexpr std::array<MirroredValues<T>, count> mirroredValues(std::span<const T> scaled,
+                                                                            const std::array<double, count>& ts) {
+    const std::size_t degree = scaled.size() - 1;
+    std::array<double, count> ratios{};
+    for (std::size_t k = 0; k < count; ++k)
+        ratios[k] = ts[k] / (1 - ts[k]);
+    std::array<T, count> near;
+    std::array<T, count> far;
+    near.fill(scaled[degree]);
+    far.fill(scaled[0]);
+    for (std::size_t i = 1; i <= degree; ++i)
+        for (std::size_t k = 0; k < count; ++k) {
+            near[k] = ratios[k] * near[k] + scaled[degree - i];
+            far[k] = ratios[k] * far[k] + scaled[i];
+        }
+    std::array<MirroredValues<T>, count> values{};
+    for (std::size_t k = 0; k < count; ++k) {
+        const double factor = power(1 - ts[k], degree);
+        values[k] = {factor * near[k], factor * far[k]};
+    }
+    return values;
 }
 
 /// The largest absolute value of a coefficient, which no value on [0, 1] exceeds.

@@ -81,11 +81,20 @@ std::optional<std::size_t> sufficientRule(std::span<const Vector> speed, double 
 template <class Row>
 double integral(Row speed, std::size_t rule) {
     scaleByBinomials(speed);
+    const std::span<const Vector> scaled(speed);
     double sum = 0;
-    for (const GaussNode node : gaussNodes(rule)) {
-        const auto [near, far] = mirroredValues(std::span<const Vector>(speed), node.at);
-        sum += node.weight * (size(near) + size(far));
+    const auto add = [&](const GaussNode& node, const MirroredValues<Vector>& values) {
+        sum += node.weight * (size(values.near) + size(values.far));
+    };
+    std::span<const GaussNode> nodes = gaussNodes(rule);
+    constexpr std::size_t kTogether = 4; // as many as the registers of SSE2 hold
+    for (; nodes.size() >= kTogether; nodes = nodes.subspan(kTogether)) {
+        const auto values = mirroredValues(scaled, std::array{nodes[0].at, nodes[1].at, nodes[2].at, nodes[3].at});
+        for (std::size_t i = 0; i < kTogether; ++i)
+            add(nodes[i], values[i]);
     }
+    for (const GaussNode& node : nodes)
+        add(node, mirroredValues(scaled, node.at));
     return sum;
 }
 

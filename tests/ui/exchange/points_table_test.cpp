@@ -34,7 +34,7 @@ TEST(PointsTable, tellsOnlyTheBeginningOfALongCell) {
 TEST(PointsTable, comesBackBitForBit) {
     const Points points{{0.1, -1.0 / 3}, {1e-300, limits::kNumber}, {0, 12345.678}};
     const auto read = readPointsTable(pointsTable(points).toStdString());
-    EXPECT_EQ(std::get<std::vector<Points>>(read), std::vector{points});
+    EXPECT_EQ(std::get<std::vector<Points>>(read), std::vector<Points>{points});
     EXPECT_EQ(pointsTable({{1, 2.5}, {-3, 0}}), QStringLiteral("1\t2.5\n-3\t0"));
 }
 
