@@ -36,6 +36,7 @@ enum class FileProblem {
     tooManyPointsInCurve,  ///< at most numbers[0], and it has numbers[1]
     tooManyPointsInRun,    ///< of an interpolation: at most numbers[0], and one has numbers[1]
     tooManySegments,       ///< for a report: at most numbers[0] in a sheet, and they are numbers[1]
+    tooManySchemePoints,   ///< of de Casteljau, for a report: at most numbers[0] in a sheet, and they are numbers[1]
     coordinatesOutOfRange, ///< numbers[0] to numbers[1]
     noSuchIndex,
     tooLarge,          ///< the file, more than numbers[0] bytes

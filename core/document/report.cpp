@@ -43,8 +43,8 @@ FileError tooManySegments(SheetIndex sheet, std::size_t segments) {
 
 std::variant<std::string, FileError> reportJson(const Document& document, std::string_view file,
                                                 std::optional<SheetIndex> only) {
-    if (std::optional<FileError> error = reportLimitError(document, only))
-        return std::move(*error);
+    if (std::optional<FileError> error = reportJsonLimitError(document, only))
+        return *std::move(error);
     JsonWriter json(JsonWriter::Digits::seventeen);
     json.beginObject().member("format", "kriva-report").member("version", kReportVersion).member("document", file);
     json.key("sheets").beginObject();
@@ -72,6 +72,31 @@ std::optional<FileError> reportLimitError(const Document& document, std::optiona
         if (std::optional<FileError> error = interpolatedPairsError(document.sheets[index], index);
             error && isReported(index, only))
             return error;
+    }
+    return {};
+}
+
+std::optional<FileError> reportJsonLimitError(const Document& document, std::optional<SheetIndex> only) {
+    if (std::optional<FileError> error = reportLimitError(document, only))
+        return error;
+    for (SheetIndex index = 0; index < kSheetCount; ++index) {
+        std::size_t points = 0;
+        for (const Curve& curve : document.sheets[index].curves)
+            points += std::visit(
+                [](const auto& c) -> std::size_t {
+                    if constexpr (requires { reportedSchemePoints(c); })
+                        return reportedSchemePoints(c);
+                    else
+                        return 0;
+                },
+                curve);
+        if (!isReported(index, only) || points <= limits::kReportedSchemePoints)
+            continue;
+        FileError error =
+            errorOfFile(FileProblem::tooManySchemePoints,
+                        {static_cast<double>(limits::kReportedSchemePoints), static_cast<double>(points)});
+        error.place = placeOfCurves(index);
+        return error;
     }
     return {};
 }

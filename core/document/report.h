@@ -15,4 +15,8 @@ inline constexpr int kReportVersion = 1;
 /// Why a report of the document is refused before anything is worked out; nothing where it is not.
 [[nodiscard]] std::optional<FileError> reportLimitError(const Document& document, std::optional<SheetIndex> only = {});
 
+/// The same for the JSON, which lists whole de Casteljau schemes.
+[[nodiscard]] std::optional<FileError> reportJsonLimitError(const Document& document,
+                                                            std::optional<SheetIndex> only = {});
+
 } // namespace kriva

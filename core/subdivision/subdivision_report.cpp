@@ -3,6 +3,8 @@
 #include "core/bezier/bounds.h"
 #include "core/bezier/measures/arc_length.h"
 
+#include <numeric>
+
 namespace kriva {
 namespace {
 
@@ -15,6 +17,13 @@ Point pointAtT(const Subdivision& subdivision) {
 }
 
 } // namespace
+
+std::size_t reportedSchemePoints(const SubdivisionCurve& curve) {
+    if (isIncomplete(curve))
+        return 0;
+    const auto points = static_cast<std::size_t>(std::reduce(curve.multiplicity.begin(), curve.multiplicity.end()));
+    return points * (points + 1) / 2;
+}
 
 void reportCurve(JsonWriter& json, const SubdivisionCurve& curve) {
     const Subdivision subdivision = subdivide(curve);

@@ -11,6 +11,8 @@ namespace kriva {
 [[nodiscard]] inline std::size_t reportedSegments(const SubdivisionCurve&) {
     return 0;
 }
+/// How many points its report lists of the scheme at t: all control points and what comes of them.
+[[nodiscard]] std::size_t reportedSchemePoints(const SubdivisionCurve& curve);
 /// The members of a complete curve in the report, after its name.
 void reportCurve(JsonWriter& json, const SubdivisionCurve& curve);
 /// The same numbers as rows for people; of the scheme what it ends in, of the pieces their number.

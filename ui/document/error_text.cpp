@@ -113,6 +113,9 @@ QString Errors::limitReason(const FileError& error) {
     case FileProblem::tooManySegments:
         return tr("a report takes at most %1 segments of a sheet, and these are %2")
             .arg(number(error, 0), number(error, 1));
+    case FileProblem::tooManySchemePoints:
+        return tr("a report takes at most %1 points of de Casteljau schemes of a sheet, and these are %2")
+            .arg(number(error, 0), number(error, 1));
     case FileProblem::tooManyPasses:
         return tr("more than %1 passes through crossings and overlaps are too many").arg(number(error, 0));
     case FileProblem::tooManyIntersections:

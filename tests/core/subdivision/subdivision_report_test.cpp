@@ -1,3 +1,5 @@
+#include "core/document/limits.h"
+#include "core/document/report.h"
 #include "core/subdivision/subdivision_report.h"
 #include "tests/support/documents.h"
 
@@ -22,6 +24,27 @@ SubdivisionCurve example() {
 
 json reportOf(const SubdivisionCurve& curve) {
     return json::parse(test::reportOf(curve))["sheets"]["subdivision"]["curves"][0];
+}
+
+TEST(SubdivisionReport, listsSchemesUpToALimit) {
+    EXPECT_EQ(reportedSchemePoints(example()), 5u + 4 + 3 + 2 + 1);
+    EXPECT_EQ(reportedSchemePoints({}), 0u);
+    SubdivisionCurve largest = example();
+    largest.multiplicity = {1, 199, 1};
+    largest.blossom.reset();
+    const std::size_t most = limits::kReportedSchemePoints / (201 * 202 / 2);
+    Document document;
+    auto& curves = document.sheets[*sheetNamed("subdivision")].curves;
+    curves.assign(most, largest);
+    EXPECT_FALSE(reportJsonLimitError(document));
+    curves.push_back(largest);
+    const std::optional<FileError> error = reportJsonLimitError(document);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->problem, FileProblem::tooManySchemePoints);
+    EXPECT_EQ(error->place, "sheets.subdivision.curves");
+    EXPECT_TRUE(std::holds_alternative<FileError>(reportJson(document, "a.kriva")));
+    EXPECT_FALSE(reportLimitError(document)) << "people are told only what schemes end in";
+    EXPECT_FALSE(reportJsonLimitError(document, sheetNamed("spline"))) << "another sheet is asked for";
 }
 
 // All numbers here are dyadic fractions: worked out by hand, met exactly.
