@@ -22,7 +22,7 @@ constexpr double kTouching = 1e-12;
 constexpr double kPlace = 1e-9;
 
 /// A segment put into the frame, its bounds and its cusps.
-constexpr std::uint64_t kStepsOfSegment = 20;
+constexpr std::uint64_t kStepsOfSegment = 80;
 
 /// A straight segment turns back if the way it goes back is longer than this part of its polygon's length.
 constexpr double kTurningBack = 1e-9;

@@ -15,10 +15,10 @@ namespace {
 constexpr double kEndNoise = 1e-8;
 
 /// Passes that are put in order and grouped.
-constexpr std::uint64_t kStepsOfMeeting = 5;
+constexpr std::uint64_t kStepsOfMeeting = 20;
 
 /// Meetings whose distances are compared within one step.
-constexpr std::size_t kComparedMeetings = 64;
+constexpr std::size_t kComparedMeetings = 16;
 
 /// A part of what is certain, whatever rounding does.
 constexpr double kSurely = 0.999;

@@ -6,7 +6,7 @@ namespace kriva {
 namespace {
 
 /// Boxes that are compared within one step.
-constexpr std::size_t kComparisons = 64;
+constexpr std::size_t kComparisons = 16;
 
 } // namespace
 

@@ -13,10 +13,7 @@ namespace {
 constexpr int kDeepest = 100;
 
 /// Halving, boxes and strips of two arcs.
-constexpr std::uint64_t kStepsOfVisit = 3;
-
-/// The order of a contact out of its series.
-constexpr std::uint64_t kStepsOfTouching = 60;
+constexpr std::uint64_t kStepsOfVisit = 12;
 
 /// Arcs that may be a little farther apart than `touching` still count as touching all along: else the places where
 /// they are just that far apart would be halved without end.

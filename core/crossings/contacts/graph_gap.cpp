@@ -12,9 +12,9 @@ constexpr double kRounding = std::numeric_limits<double>::epsilon();
 constexpr double kGapNoise = 0x1p-48;
 
 /// Two graphs out of arcs, with the bounds of their bends.
-constexpr std::uint64_t kStepsOfGraphs = 8;
+constexpr std::uint64_t kStepsOfGraphs = 32;
 /// The gap at one x: a place of each graph by Newton's method.
-constexpr std::uint64_t kStepsOfValue = 6;
+constexpr std::uint64_t kStepsOfValue = 24;
 
 struct ValueAndSlope {
     double value;

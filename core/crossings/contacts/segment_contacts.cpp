@@ -19,7 +19,7 @@ namespace {
 constexpr double kNoSpeed = 1e-9;
 
 /// Two segments whose boxes overlap, before anything is halved.
-constexpr std::uint64_t kStepsOfPair = 10;
+constexpr std::uint64_t kStepsOfPair = 40;
 
 std::vector<double> cuspsOf(std::span<const Point> segment, const Arc& arc) {
     if (tangentCone(arc))
@@ -86,6 +86,8 @@ std::vector<Contact> united(const CuspedArc& a, const CuspedArc& b, std::vector<
                touchBetween(a.arc, b.arc, contacts[last - 1], contacts[last], touching, budget))
             ++last;
         const double way = contacts[last - 1].a - contacts[first].a;
+        if (!budget.spend(way == 0 ? 1 : kStepsOfTouching))
+            break;
         all.push_back(way == 0 ? contacts[first] : flattestContact(a.arc, b.arc, contacts[first], kReach * way));
     }
     return all;
@@ -191,7 +193,7 @@ SegmentContacts contactsOf(const CuspedArc& a, const CuspedArc& b, std::span<con
     for (const Contact& contact : atBreaks)
         pair.addAtBreak(contact, found);
     for (const Contact& contact : found)
-        if (!pair.isKnown(contact, result.common, known))
+        if (budget.spend(kStepsOfPair) && !pair.isKnown(contact, result.common, known))
             result.contacts.push_back(contact);
     return result;
 }

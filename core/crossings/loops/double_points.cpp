@@ -19,7 +19,7 @@ constexpr int kDeepest = 56;
 constexpr int kMostCells = 200'000;
 
 /// The quotient in a rectangle, moved there and bounded.
-constexpr std::uint64_t kStepsOfCell = 8;
+constexpr std::uint64_t kStepsOfCell = 32;
 
 /// Roots may lie outside of the segment by rounding.
 constexpr double kSlack = 1e-9;
