@@ -599,11 +599,11 @@
     </message>
     <message>
         <source>Passes through crossings and overlaps</source>
-        <translation type="unfinished"></translation>
+        <translation>Преминавания през пресичания и припокривания</translation>
     </message>
     <message>
         <source>too many to count</source>
-        <translation type="unfinished"></translation>
+        <translation>твърде много за броене</translation>
     </message>
 </context>
 <context>
@@ -1127,15 +1127,15 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
     <message>
         <source>a report takes at most %1 segments of a sheet, and these are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>отчетът побира най-много %1 сегмента от лист, а тези са %2</translation>
     </message>
     <message>
         <source>more than %1 passes through crossings and overlaps are too many</source>
-        <translation type="unfinished"></translation>
+        <translation>повече от %1 преминавания през пресичания и припокривания са твърде много</translation>
     </message>
     <message>
         <source>the curves have too many intersections to work out</source>
-        <translation type="unfinished"></translation>
+        <translation>кривите имат твърде много пресичания, за да бъдат пресметнати</translation>
     </message>
     <message>
         <source>coordinates go from %1 to %2</source>
@@ -1180,6 +1180,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>%1, the document inside</source>
         <translation>%1, документът вътре</translation>
+    </message>
+    <message>
+        <source>a report takes at most %1 points of de Casteljau schemes of a sheet, and these are %2</source>
+        <translation>отчетът побира най-много %1 точки на схеми на дьо Кастелжо от лист, а тези са %2</translation>
     </message>
 </context>
 <context>
@@ -2432,7 +2436,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <name>Values</name>
     <message>
         <source>more than %L1</source>
-        <translation type="unfinished"></translation>
+        <translation>повече от %L1</translation>
     </message>
 </context>
 <context>
@@ -2725,6 +2729,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Print</source>
         <translation>Печат</translation>
+    </message>
+    <message>
+        <source>Working out the figure…</source>
+        <translation>Пресмята се фигурата…</translation>
     </message>
 </context>
 <context>

@@ -599,11 +599,11 @@
     </message>
     <message>
         <source>Passes through crossings and overlaps</source>
-        <translation type="unfinished"></translation>
+        <translation>Prehodi skozi presečišča in prekrivanja</translation>
     </message>
     <message>
         <source>too many to count</source>
-        <translation type="unfinished"></translation>
+        <translation>preveč za štetje</translation>
     </message>
 </context>
 <context>
@@ -1129,15 +1129,15 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     </message>
     <message>
         <source>a report takes at most %1 segments of a sheet, and these are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>poročilo sprejme največ %1 segmentov lista, teh pa je %2</translation>
     </message>
     <message>
         <source>more than %1 passes through crossings and overlaps are too many</source>
-        <translation type="unfinished"></translation>
+        <translation>več kot %1 prehodov skozi presečišča in prekrivanja je preveč</translation>
     </message>
     <message>
         <source>the curves have too many intersections to work out</source>
-        <translation type="unfinished"></translation>
+        <translation>krivulje imajo preveč presečišč, da bi jih bilo mogoče izračunati</translation>
     </message>
     <message>
         <source>coordinates go from %1 to %2</source>
@@ -1182,6 +1182,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>%1, the document inside</source>
         <translation>%1, dokument v njej</translation>
+    </message>
+    <message>
+        <source>a report takes at most %1 points of de Casteljau schemes of a sheet, and these are %2</source>
+        <translation>poročilo sprejme največ %1 točk de Casteljaujevih shem lista, teh pa je %2</translation>
     </message>
 </context>
 <context>
@@ -2434,7 +2438,7 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <name>Values</name>
     <message>
         <source>more than %L1</source>
-        <translation type="unfinished"></translation>
+        <translation>več kot %L1</translation>
     </message>
 </context>
 <context>
@@ -2727,6 +2731,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
     <message>
         <source>Print</source>
         <translation>Tiskanje</translation>
+    </message>
+    <message>
+        <source>Working out the figure…</source>
+        <translation>Izračunavanje slike…</translation>
     </message>
 </context>
 <context>

@@ -599,11 +599,11 @@
     </message>
     <message>
         <source>Passes through crossings and overlaps</source>
-        <translation type="unfinished"></translation>
+        <translation>Проходження через перетини та накладання</translation>
     </message>
     <message>
         <source>too many to count</source>
-        <translation type="unfinished"></translation>
+        <translation>забагато, щоб полічити</translation>
     </message>
 </context>
 <context>
@@ -1128,15 +1128,15 @@ kriva report FILE [--format json|text] [--sheet NAME]
     </message>
     <message>
         <source>a report takes at most %1 segments of a sheet, and these are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>звіт приймає щонайбільше %1 сегментів аркуша, а їх %2</translation>
     </message>
     <message>
         <source>more than %1 passes through crossings and overlaps are too many</source>
-        <translation type="unfinished"></translation>
+        <translation>більше ніж %1 проходжень через перетини та накладання — це забагато</translation>
     </message>
     <message>
         <source>the curves have too many intersections to work out</source>
-        <translation type="unfinished"></translation>
+        <translation>криві мають забагато перетинів, щоб їх обчислити</translation>
     </message>
     <message>
         <source>coordinates go from %1 to %2</source>
@@ -1181,6 +1181,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>%1, the document inside</source>
         <translation>%1, документ усередині</translation>
+    </message>
+    <message>
+        <source>a report takes at most %1 points of de Casteljau schemes of a sheet, and these are %2</source>
+        <translation>звіт приймає щонайбільше %1 точок схем де Кастельжо аркуша, а їх %2</translation>
     </message>
 </context>
 <context>
@@ -2433,7 +2437,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <name>Values</name>
     <message>
         <source>more than %L1</source>
-        <translation type="unfinished"></translation>
+        <translation>більше ніж %L1</translation>
     </message>
 </context>
 <context>
@@ -2726,6 +2730,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
     <message>
         <source>Print</source>
         <translation>Друк</translation>
+    </message>
+    <message>
+        <source>Working out the figure…</source>
+        <translation>Обчислюється рисунок…</translation>
     </message>
 </context>
 <context>
