@@ -14,7 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 
-ElevationCurve example() {
+ElevationCurve raisedArch() {
     ElevationCurve curve;
     curve.points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}};
     curve.times = 1;
@@ -39,11 +39,11 @@ TEST(ElevationFigure, hasTheLayersOfItsTableInTheirOrder) {
     std::vector<std::string_view> table;
     for (const LayerInfo& info : layersOf(ElevationCurve{}))
         table.push_back(info.name);
-    EXPECT_EQ(names(figureOf(example(), {})), table);
+    EXPECT_EQ(names(figureOf(raisedArch(), {})), table);
 }
 
 TEST(ElevationFigure, derivesNothingFromCurvesThatAreNotActive) {
-    EXPECT_THAT(names(figureOf(example(), {0, false})), ElementsAre("control-polygon", "curve", "points", "labels"));
+    EXPECT_THAT(names(figureOf(raisedArch(), {0, false})), ElementsAre("control-polygon", "curve", "points", "labels"));
 }
 
 TEST(ElevationFigure, ofAnIncompleteCurveShowsItsPoints) {
@@ -54,7 +54,7 @@ TEST(ElevationFigure, ofAnIncompleteCurveShowsItsPoints) {
 }
 
 TEST(ElevationFigure, drawsTheCurveItselfWithItsOwnStyle) {
-    ElevationCurve curve = example();
+    ElevationCurve curve = raisedArch();
     curve.style.width = 3;
     const Layer layer = layerOf(figureOf(curve, {}), "curve");
     ASSERT_EQ(layer.strokes.size(), 1u);
@@ -63,14 +63,14 @@ TEST(ElevationFigure, drawsTheCurveItselfWithItsOwnStyle) {
 }
 
 TEST(ElevationFigure, drawsTheElevatedPolygonWithItsPoints) {
-    const Layer layer = layerOf(figureOf(example(), {}), "elevated-polygon");
+    const Layer layer = layerOf(figureOf(raisedArch(), {}), "elevated-polygon");
     const Points polygon{{0, 0}, {0.75, 1.5}, {2, 2}, {3.25, 1.5}, {4, 0}};
     EXPECT_EQ(layer.strokes[0].path, polyline(polygon));
     EXPECT_EQ(layer.marks[0].at, polygon);
 }
 
 TEST(ElevationFigure, labelsThePoints) {
-    const std::vector<Label> labels = figureOf(example(), {}).layers.back().labels;
+    const std::vector<Label> labels = figureOf(raisedArch(), {}).layers.back().labels;
     ASSERT_EQ(labels.size(), 4u);
     EXPECT_EQ(labels[3], (Label{{4, 0}, Caption::none, "b", "3"}));
 }
@@ -78,11 +78,12 @@ TEST(ElevationFigure, labelsThePoints) {
 TEST(ElevationFigure, derivedLayersAreOffAtFirstAndOnlyMadeWhereTheyAreShown) {
     SheetView view;
     const FigureContext context{0, true, &view};
-    EXPECT_THAT(names(figureOf(example(), context)),
+    EXPECT_THAT(names(figureOf(raisedArch(), context)),
                 ElementsAre("control-polygon", "elevated-polygon", "curve", "points", "labels"));
     view.layers = {{"convex-hull", true}, {"end-tangents", true}};
-    EXPECT_THAT(names(figureOf(example(), context)), ElementsAre("convex-hull", "control-polygon", "elevated-polygon",
-                                                                 "end-tangents", "curve", "points", "labels"));
+    EXPECT_THAT(
+        names(figureOf(raisedArch(), context)),
+        ElementsAre("convex-hull", "control-polygon", "elevated-polygon", "end-tangents", "curve", "points", "labels"));
 }
 
 TEST(ElevationLayers, showAllElevationsOrAHundredPolygonsAtEvenDistances) {
@@ -137,7 +138,7 @@ RC_GTEST_PROP(ElevationLayers, theCurveStaysInTheHullOfThePolygonOnView, ()) {
 }
 
 TEST(ElevationLayers, theHullFollowsTheElevatedPolygon) {
-    ElevationCurve curve = example();
+    ElevationCurve curve = raisedArch();
     EXPECT_EQ(layerOf(figureOf(curve, {}), "convex-hull").strokes[0].path.points,
               (Points{{0, 0}, {4, 0}, {3.25, 1.5}, {2, 2}, {0.75, 1.5}, {0, 0}}));
     curve.points = {{0, 0}, {1, 1}, {2, 2}};

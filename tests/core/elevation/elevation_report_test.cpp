@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-ElevationCurve example() {
+ElevationCurve namedArch() {
     ElevationCurve curve;
     curve.name = "arch";
     curve.points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}};
@@ -24,7 +24,7 @@ json reportOf(const ElevationCurve& curve) {
 // b_i' = i/4 b_(i-1) + (1 - i/4) b_i. B(1/4) = (29/32, 36/32) is 13/32 away from b_1', B(1/2) = (2, 3/2) is 1/2 away
 // from b_2'.
 TEST(ElevationReport, tellsTheElevatedPolygonAndItsGap) {
-    const json report = reportOf(example());
+    const json report = reportOf(namedArch());
     EXPECT_EQ(report["degree"], 3);
     EXPECT_EQ(report["bounds"], json::parse("[0, 0, 4, 1.5]"));
     EXPECT_EQ(report["elevated"]["times"], 1);
@@ -34,20 +34,20 @@ TEST(ElevationReport, tellsTheElevatedPolygonAndItsGap) {
 }
 
 TEST(ElevationReport, withoutElevationGivesThePointsThemselves) {
-    ElevationCurve curve = example();
+    ElevationCurve curve = namedArch();
     curve.times = 0;
     EXPECT_EQ(reportOf(curve)["elevated"]["points"], json::parse("[[0, 0], [1, 2], [3, 2], [4, 0]]"));
     EXPECT_EQ(reportOf(curve)["elevated"]["degree"], 3);
 }
 
 TEST(ElevationReport, ofAnIncompleteCurveGivesNothingButItsName) {
-    ElevationCurve curve = example();
+    ElevationCurve curve = namedArch();
     curve.points.resize(1);
     EXPECT_EQ(reportOf(curve), json::parse(R"({"name": "arch", "incomplete": true})"));
 }
 
 TEST(ElevationReport, ofCoincidentPointsIsAPoint) {
-    ElevationCurve curve = example();
+    ElevationCurve curve = namedArch();
     curve.points.assign(4, {1, 1});
     const json report = reportOf(curve);
     EXPECT_EQ(report["length"], 0);
@@ -56,7 +56,7 @@ TEST(ElevationReport, ofCoincidentPointsIsAPoint) {
 }
 
 TEST(ElevationResults, areTheNumbersOfTheReport) {
-    const std::vector<Result> rows = results(example());
+    const std::vector<Result> rows = results(namedArch());
     ASSERT_EQ(rows.size(), 5u);
     EXPECT_EQ(std::get<int>(*rows[0].value), 3);
     EXPECT_EQ(std::get<Box>(*rows[2].value), (Box{0, 0, 4, 1.5}));
