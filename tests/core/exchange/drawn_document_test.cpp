@@ -11,7 +11,7 @@ namespace {
 constexpr SheetIndex kElevation = 0;
 constexpr SheetIndex kSpline = 2;
 
-const TextSource kTexts{[](Caption) { return "Word"; }, [](double, int) { return std::string(); }, "en"};
+const TextSource kFigureTexts{[](Caption) { return "Word"; }, [](double, int) { return std::string(); }, "en"};
 
 /// A page of 10 millimetres for a unit, 6 of margin: (0, 0) is drawn at (6, 46), (4, 4) at (46, 6).
 const DrawingOptions kTenTimes{{}, 10};
@@ -32,7 +32,7 @@ Document twoCubics() {
 }
 
 std::string figureOf(const Document& document, SheetIndex sheet, const SvgOptions& options = {}) {
-    return writeSheetSvg(document, sheet, kTexts, kTenTimes, options);
+    return writeSheetSvg(document, sheet, kFigureTexts, kTenTimes, options);
 }
 
 std::string replaced(std::string text, std::string_view what, std::string_view with) {
@@ -185,7 +185,7 @@ TEST(DrawnSheet, hasThePageOfTheDrawing) {
     for (Curve& curve : document.sheets[kElevation].curves)
         for (Point& p : std::get<ElevationCurve>(curve).points)
             p = {1e8 + 1e-7 * p.x, -1e8 + 1e-7 * p.y};
-    const Drawing drawing = drawingOf(document, kElevation, kTexts);
+    const Drawing drawing = drawingOf(document, kElevation, kFigureTexts);
     const DrawnSheet drawn = drawnSheetOf(drawing, 3);
     EXPECT_EQ(drawn.curves, (std::vector{0, 1}));
     const Point far = pointAt(document.sheets[kElevation].curves[1], 3);

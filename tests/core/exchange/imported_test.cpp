@@ -7,8 +7,8 @@
 namespace kriva {
 namespace {
 
-constexpr SheetIndex kElevation = 0;
-constexpr SheetIndex kSpline = 2;
+constexpr SheetIndex kElevationSheet = 0;
+constexpr SheetIndex kSplineSheet = 2;
 constexpr SheetIndex kCombined = 3;
 
 const Path kCubic{{{0, 0}, {1, 2}, {3, 2}, {4, 0}}, {3}, false};
@@ -21,12 +21,12 @@ std::vector<Curve> curvesOf(const std::vector<ImportedPath>& paths, SheetIndex s
 }
 
 TEST(ImportedCurves, areWhatTheSheetMakesOfThem) {
-    EXPECT_EQ(std::get<ElevationCurve>(curvesOf({{"a", kCubic}}, kElevation).front()).points, kCubic.points);
-    EXPECT_EQ(std::get<ElevationCurve>(curvesOf({{"a", kChain}}, kElevation).front()).points,
+    EXPECT_EQ(std::get<ElevationCurve>(curvesOf({{"a", kCubic}}, kElevationSheet).front()).points, kCubic.points);
+    EXPECT_EQ(std::get<ElevationCurve>(curvesOf({{"a", kChain}}, kElevationSheet).front()).points,
               (Points{{0, 0}, {4, 0}, {5, 0}}));
     EXPECT_EQ(std::get<CombinedCurve>(curvesOf({{"a", kChain}}, kCombined).front()).points,
               (Points{{0, 0}, {4, 0}, {5, 0}}));
-    const Curve spline = curvesOf({{"Arc", kChain}}, kSpline).front();
+    const Curve spline = curvesOf({{"Arc", kChain}}, kSplineSheet).front();
     EXPECT_EQ(nameOf(spline), "Arc");
     EXPECT_EQ(segmentsOf(std::get<SplineCurve>(spline)).front(), kCubic.points);
 }
@@ -43,7 +43,7 @@ TEST(ImportedCurves, makeADocumentThatReadsBack) {
 }
 
 TEST(ImportedCurves, areScaledFirstAndThenMoved) {
-    const Curve curve = curvesOf({{"", kCubic}}, kElevation, {2, {10, -1}}).front();
+    const Curve curve = curvesOf({{"", kCubic}}, kElevationSheet, {2, {10, -1}}).front();
     EXPECT_EQ(std::get<ElevationCurve>(curve).points, (Points{{10, -1}, {12, 3}, {16, 3}, {18, -1}}));
 }
 
@@ -52,14 +52,15 @@ TEST(ImportedCurves, areRefusedBeyondTheLimitsWithTheirPlace) {
         return std::get<FileError>(importedCurves(paths, sheet, placing));
     };
     const Path many{Points(limits::kControlPoints + 1), {}, false};
-    const FileError tooLong = faultOf({{"", kCubic}, {"", many}}, kElevation);
+    const FileError tooLong = faultOf({{"", kCubic}, {"", many}}, kElevationSheet);
     EXPECT_EQ(tooLong.problem, FileProblem::tooManyPointsInCurve);
     EXPECT_EQ(tooLong.curve, 2);
     EXPECT_EQ(tooLong.place, "");
     EXPECT_EQ(tooLong.numbers, (std::vector<double>{limits::kControlPoints, limits::kControlPoints + 1}));
-    EXPECT_EQ(faultOf({{"Leaf", many}}, kElevation).place, "Leaf");
-    EXPECT_EQ(faultOf({{"", kCubic}}, kSpline, {1e9, {}}).problem, FileProblem::coordinatesOutOfRange);
-    const FileError tooMany = faultOf(std::vector<ImportedPath>(limits::kCurvesInSheet + 1, {"", kCubic}), kSpline);
+    EXPECT_EQ(faultOf({{"Leaf", many}}, kElevationSheet).place, "Leaf");
+    EXPECT_EQ(faultOf({{"", kCubic}}, kSplineSheet, {1e9, {}}).problem, FileProblem::coordinatesOutOfRange);
+    const FileError tooMany =
+        faultOf(std::vector<ImportedPath>(limits::kCurvesInSheet + 1, {"", kCubic}), kSplineSheet);
     EXPECT_EQ(tooMany.problem, FileProblem::tooManyCurves);
     EXPECT_EQ(tooMany.numbers, (std::vector<double>{1000, 1001}));
     EXPECT_EQ(tooMany.curve, 0);

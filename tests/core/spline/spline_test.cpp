@@ -13,7 +13,7 @@ using Join = SplineKnot::Join;
 using Rule = SplineCurve::Rule;
 
 /// Relative to coordinates of a few units: a handful of roundings.
-constexpr double kRounding = 1e-14;
+constexpr double kSolverRounding = 1e-14;
 
 RC_GTEST_PROP(Spline, everySegmentRunsFromKnotToKnot, ()) {
     const SplineCurve curve = anySpline();
@@ -111,14 +111,14 @@ TEST(Spline, anIncompleteCurveHasNoSegments) {
 TEST(Spline, threeKnotsGrowByMirroring) {
     const SplineChain chain = solveSpline(curveThrough(Rule::mirror, {{0, 0}, {3, 3}, {6, 0}}));
     const std::vector<Points> expected = {{{0, 0}, {1, 1}, {2, 2}, {3, 3}}, {{3, 3}, {4, 4}, {5, 2}, {6, 0}}};
-    EXPECT_LE(farthest(chain.segments, expected), kRounding);
+    EXPECT_LE(farthest(chain.segments, expected), kSolverRounding);
     EXPECT_EQ(chain.continuity, (std::vector{Continuity::end, Continuity::c1, Continuity::end}));
 }
 
 TEST(Spline, threeKnotsUnderTheNaturalRule) {
     const SplineChain chain = solveSpline(curveThrough(Rule::natural, {{0, 0}, {3, 3}, {6, 0}}));
     const std::vector<Points> expected = {{{0, 0}, {1, 1.5}, {2, 3}, {3, 3}}, {{3, 3}, {4, 3}, {5, 1.5}, {6, 0}}};
-    EXPECT_LE(farthest(chain.segments, expected), kRounding);
+    EXPECT_LE(farthest(chain.segments, expected), kSolverRounding);
     EXPECT_EQ(chain.continuity, (std::vector{Continuity::end, Continuity::c2, Continuity::end}));
 }
 
@@ -132,13 +132,14 @@ TEST(Spline, aClampedSegmentHasTheGivenDerivatives) {
 TEST(Spline, aClosedSquareIsRound) {
     const Points square = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
     const SplineChain periodic = solveSpline(curveThrough(Rule::natural, square, true));
-    EXPECT_LE(farthest({periodic.segments[0]}, {{{0, 0}, {0.5, -0.5}, {1.5, -0.5}, {2, 0}}}), kRounding);
-    EXPECT_LE(farthest({periodic.segments[3]}, {{{0, 2}, {-0.5, 1.5}, {-0.5, 0.5}, {0, 0}}}), kRounding);
+    EXPECT_LE(farthest({periodic.segments[0]}, {{{0, 0}, {0.5, -0.5}, {1.5, -0.5}, {2, 0}}}), kSolverRounding);
+    EXPECT_LE(farthest({periodic.segments[3]}, {{{0, 2}, {-0.5, 1.5}, {-0.5, 0.5}, {0, 0}}}), kSolverRounding);
     EXPECT_EQ(periodic.continuity, std::vector(4, Continuity::c2));
 
     const SplineChain local = solveSpline(curveThrough(Rule::catmullRom, square, true));
     const double third = 1.0 / 3;
-    EXPECT_LE(farthest({local.segments[1]}, {{{2, 0}, {2 + third, third}, {2 + third, 2 - third}, {2, 2}}}), kRounding);
+    EXPECT_LE(farthest({local.segments[1]}, {{{2, 0}, {2 + third, third}, {2 + third, 2 - third}, {2, 2}}}),
+              kSolverRounding);
     EXPECT_EQ(local.continuity, std::vector(4, Continuity::g2));
 }
 
@@ -147,7 +148,7 @@ TEST(Spline, parabolasThroughPointsOfAParabolaAreThatParabola) {
     const SplineChain chain = solveSpline(curveThrough(Rule::mirror, onParabola, false, 2));
     const std::vector<Points> expected = {
         {{0, 0}, {1, 2}, {2, 3}}, {{2, 3}, {3, 4}, {4, 4}}, {{4, 4}, {5, 4}, {6, 3}}, {{6, 3}, {7, 2}, {8, 0}}};
-    EXPECT_LE(farthest(chain.segments, expected), kRounding);
+    EXPECT_LE(farthest(chain.segments, expected), kSolverRounding);
     EXPECT_EQ(chain.continuity[2], Continuity::c2);
 }
 
@@ -158,7 +159,7 @@ TEST(Spline, degreeFourTakesStoredHandlesAndReplacedInnerPoints) {
     const SplineChain chain = solveSpline(curve);
     const std::vector<Points> expected = {{{0, 0}, {0.75, 0.5}, {1.5, 4.0 / 3}, {2.25, 2}, {3, 2}},
                                           {{3, 2}, {3.75, 2}, {4.5, 1}, {4.625, 0.75}, {5, 0}}};
-    EXPECT_LE(farthest(chain.segments, expected), kRounding);
+    EXPECT_LE(farthest(chain.segments, expected), kSolverRounding);
     EXPECT_EQ(chain.continuity[1], Continuity::c1);
 }
 

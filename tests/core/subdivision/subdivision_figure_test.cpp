@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-SubdivisionCurve example() {
+SubdivisionCurve splitArch() {
     SubdivisionCurve curve;
     curve.points = {{0, 0}, {0, 2}, {8, 2}, {4, 0}};
     curve.multiplicity = {1, 1, 1, 1};
@@ -38,11 +38,11 @@ TEST(SubdivisionFigure, hasTheLayersOfItsTableInTheirOrder) {
     std::vector<std::string_view> table;
     for (const LayerInfo& info : layersOf(SubdivisionCurve{}))
         table.push_back(info.name);
-    EXPECT_EQ(names(figureOf(example(), {})), table);
+    EXPECT_EQ(names(figureOf(splitArch(), {})), table);
 }
 
 TEST(SubdivisionFigure, derivesNothingFromCurvesThatAreNotActive) {
-    EXPECT_THAT(names(figureOf(example(), {0, false})), ElementsAre("control-polygon", "curve", "points", "labels"));
+    EXPECT_THAT(names(figureOf(splitArch(), {0, false})), ElementsAre("control-polygon", "curve", "points", "labels"));
 }
 
 TEST(SubdivisionFigure, ofAnIncompleteCurveShowsItsPoints) {
@@ -53,17 +53,17 @@ TEST(SubdivisionFigure, ofAnIncompleteCurveShowsItsPoints) {
 }
 
 TEST(SubdivisionFigure, constructionHasOneLineForEachRowBetweenPolygonAndPoint) {
-    const Layer layer = layerNamed("construction", example());
+    const Layer layer = layerNamed("construction", splitArch());
     ASSERT_EQ(layer.strokes.size(), 2u);
     EXPECT_EQ(layer.strokes[0].path, polyline(Points{{0, 1}, {4, 2}, {6, 1}}));
     EXPECT_EQ(layer.strokes[0].series, 1);
     EXPECT_EQ(layer.strokes[1].path, polyline(Points{{2, 1.5}, {5, 1.5}}));
     EXPECT_EQ(layer.strokes[1].series, 2);
-    EXPECT_THAT(layerNamed("curve-point", example()).marks[0].at, ElementsAre(Point{3.5, 1.5}));
+    EXPECT_THAT(layerNamed("curve-point", splitArch()).marks[0].at, ElementsAre(Point{3.5, 1.5}));
 }
 
 TEST(SubdivisionFigure, piecesAreOneLineWithMarksWhereTheyMeet) {
-    const Layer layer = layerNamed("pieces", example());
+    const Layer layer = layerNamed("pieces", splitArch());
     ASSERT_EQ(layer.strokes.size(), 1u);
     EXPECT_EQ(layer.strokes[0].path.points.size(), 4u * 3 + 1);
     EXPECT_EQ(layer.marks[0].at.size(), 5u);
@@ -71,22 +71,22 @@ TEST(SubdivisionFigure, piecesAreOneLineWithMarksWhereTheyMeet) {
 }
 
 TEST(SubdivisionFigure, leftAndRightMeetOnTheCurve) {
-    const Layer left = layerNamed("left", example());
-    const Layer right = layerNamed("right", example());
+    const Layer left = layerNamed("left", splitArch());
+    const Layer right = layerNamed("right", splitArch());
     EXPECT_EQ(left.strokes[0].role, Role::left);
     EXPECT_EQ(right.strokes[0].role, Role::right);
     EXPECT_EQ(left.strokes[0].path.points.back(), right.strokes[0].path.points.front());
 }
 
 TEST(SubdivisionFigure, drawsTheCurveWithItsControlPointsAsOftenAsTheyStand) {
-    SubdivisionCurve curve = example();
+    SubdivisionCurve curve = splitArch();
     curve.multiplicity = {1, 3, 1, 1};
     EXPECT_EQ(layerNamed("curve", curve).strokes[0].path.degrees, std::vector{5});
     EXPECT_EQ(layerNamed("points", curve).marks[0].at, curve.points);
 }
 
 TEST(SubdivisionFigure, labelsTellHowOftenAPointStands) {
-    SubdivisionCurve curve = example();
+    SubdivisionCurve curve = splitArch();
     curve.multiplicity = {1, 3, 1, 1};
     const std::vector<Label> labels = layerNamed("labels", curve).labels;
     ASSERT_EQ(labels.size(), 4u);
@@ -95,17 +95,17 @@ TEST(SubdivisionFigure, labelsTellHowOftenAPointStands) {
 }
 
 TEST(SubdivisionFigure, labelsOfThePartsKeepOutOfEachOthersWay) {
-    const std::vector<Label> labels = layerNamed("part-labels", example()).labels;
+    const std::vector<Label> labels = layerNamed("part-labels", splitArch()).labels;
     ASSERT_EQ(labels.size(), 8u);
     EXPECT_EQ(labels[3].text + labels[3].subscript, "l3");
     EXPECT_EQ(labels[4].text + labels[4].subscript, "r0");
     EXPECT_EQ(labels[3].at, labels[4].at);
     EXPECT_NE(labels[3].side, labels[4].side);
-    EXPECT_NE(labels[0].side, layerNamed("labels", example()).labels[0].side);
+    EXPECT_NE(labels[0].side, layerNamed("labels", splitArch()).labels[0].side);
 }
 
 TEST(SubdivisionFigure, drawsTheSchemeOfTheBlossom) {
-    SubdivisionCurve curve = example();
+    SubdivisionCurve curve = splitArch();
     EXPECT_THAT(layerNamed("blossom", curve).marks, IsEmpty());
     curve.blossom = {0.25, 0.5, 0.75};
     const Layer layer = layerNamed("blossom", curve);
@@ -116,7 +116,7 @@ TEST(SubdivisionFigure, drawsTheSchemeOfTheBlossom) {
 }
 
 TEST(SubdivisionFigure, namesTheBlossomByItsArguments) {
-    SubdivisionCurve curve = example();
+    SubdivisionCurve curve = splitArch();
     curve.blossom = {0.25, 0.5, 0.75};
     EXPECT_EQ(layerNamed("blossom", curve).labels[0].text, "b[t1,t2,t3]");
     curve.multiplicity[0] = 2;
@@ -125,7 +125,7 @@ TEST(SubdivisionFigure, namesTheBlossomByItsArguments) {
 }
 
 TEST(SubdivisionFigure, leavesOutABlossomBeyondTheLimitsOfNumbers) {
-    SubdivisionCurve curve = example();
+    SubdivisionCurve curve = splitArch();
     curve.blossom = {1e9, 1e9, 1e9};
     EXPECT_THAT(layerNamed("blossom", curve).marks, IsEmpty());
 }
@@ -134,7 +134,7 @@ TEST(SubdivisionFigure, partialCurvesAreOffAtFirstAndMeetTheLineThroughThePoint)
     const auto table = layersOf(SubdivisionCurve{});
     const auto row = std::find_if(table.begin(), table.end(), [](const auto& l) { return l.name == "partial-curves"; });
     EXPECT_FALSE(row->isShownAtFirst);
-    const Layer layer = layerNamed("partial-curves", example());
+    const Layer layer = layerNamed("partial-curves", splitArch());
     ASSERT_EQ(layer.strokes.size(), 3u);
     EXPECT_EQ(layer.strokes[0].path, singleCurve(Points{{0, 0}, {0, 2}, {8, 2}}));
     EXPECT_EQ(layer.strokes[1].path, singleCurve(Points{{0, 2}, {8, 2}, {4, 0}}));
@@ -144,20 +144,20 @@ TEST(SubdivisionFigure, partialCurvesAreOffAtFirstAndMeetTheLineThroughThePoint)
 TEST(SubdivisionFigure, drawsTheSchemesAtFurtherParametersEachFainter) {
     SheetView view;
     view.parameters = {0.25, 0.75};
-    const Figure figure = figureOf(example(), {0, true, &view});
+    const Figure figure = figureOf(splitArch(), {0, true, &view});
     const auto layer = std::ranges::find(figure.layers, "further-constructions", &Layer::name);
     ASSERT_NE(layer, figure.layers.end());
     ASSERT_EQ(layer->strokes.size(), 4u); // two rows of each
-    EXPECT_EQ(layer->strokes[0].path, polyline(deCasteljau(example().points, 0.25)[1]));
-    EXPECT_EQ(layer->strokes[3].path, polyline(deCasteljau(example().points, 0.75)[2]));
+    EXPECT_EQ(layer->strokes[0].path, polyline(deCasteljau(splitArch().points, 0.25)[1]));
+    EXPECT_EQ(layer->strokes[3].path, polyline(deCasteljau(splitArch().points, 0.75)[2]));
     EXPECT_LT(layer->strokes[0].strength, 1);
     EXPECT_LT(layer->strokes[2].strength, layer->strokes[0].strength);
     EXPECT_EQ(layer->marks.at(0).at.size(), 2u);
-    EXPECT_THAT(layerNamed("further-constructions", example()).strokes, IsEmpty());
+    EXPECT_THAT(layerNamed("further-constructions", splitArch()).strokes, IsEmpty());
 }
 
 TEST(SubdivisionFigure, aLineHasNoPartialCurves) {
-    SubdivisionCurve curve = example();
+    SubdivisionCurve curve = splitArch();
     curve.points.resize(2);
     curve.multiplicity.resize(2);
     EXPECT_THAT(layerNamed("partial-curves", curve).strokes, IsEmpty());

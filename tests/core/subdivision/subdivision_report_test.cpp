@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-SubdivisionCurve example() {
+SubdivisionCurve namedSplit() {
     SubdivisionCurve curve;
     curve.name = "arch";
     curve.points = {{0, 0}, {2, 4}, {4, 0}};
@@ -27,9 +27,9 @@ json reportOf(const SubdivisionCurve& curve) {
 }
 
 TEST(SubdivisionReport, listsSchemesUpToALimit) {
-    EXPECT_EQ(reportedSchemePoints(example()), 5u + 4 + 3 + 2 + 1);
+    EXPECT_EQ(reportedSchemePoints(namedSplit()), 5u + 4 + 3 + 2 + 1);
     EXPECT_EQ(reportedSchemePoints({}), 0u);
-    SubdivisionCurve largest = example();
+    SubdivisionCurve largest = namedSplit();
     largest.multiplicity = {1, 199, 1};
     largest.blossom.reset();
     const std::size_t most = limits::kReportedSchemePoints / (201 * 202 / 2);
@@ -49,7 +49,7 @@ TEST(SubdivisionReport, listsSchemesUpToALimit) {
 
 // All numbers here are dyadic fractions: worked out by hand, met exactly.
 TEST(SubdivisionReport, tellsWhatOneCutTells) {
-    const json report = reportOf(example());
+    const json report = reportOf(namedSplit());
     EXPECT_EQ(report["name"], "arch");
     EXPECT_EQ(report["degree"], 4);
     EXPECT_EQ(report["bounds"], json::parse("[0, 0, 4, 3.5]"));
@@ -67,7 +67,7 @@ TEST(SubdivisionReport, tellsWhatOneCutTells) {
 }
 
 TEST(SubdivisionReport, hasABlossomOnlyIfTheDocumentAsks) {
-    SubdivisionCurve curve = example();
+    SubdivisionCurve curve = namedSplit();
     curve.blossom.reset();
     EXPECT_FALSE(reportOf(curve).contains("blossom"));
 }
@@ -89,7 +89,7 @@ TEST(SubdivisionReport, ofAnIncompleteCurveGivesNothingButItsName) {
 }
 
 TEST(SubdivisionResults, areTheNumbersOfTheReport) {
-    const std::vector<Result> rows = results(example());
+    const std::vector<Result> rows = results(namedSplit());
     ASSERT_EQ(rows.size(), 9u);
     EXPECT_EQ(std::get<int>(*rows[0].value), 4);
     EXPECT_EQ(rows[3].caption, Caption::pointAtT);

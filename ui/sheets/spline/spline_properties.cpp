@@ -28,7 +28,7 @@ SplineProperties::SplineProperties(SheetEditor& editor, QWidget* parent)
     : PropertiesPanel(editor, parent)
     , degree_(new SliderField(this))
     , closed_(new QCheckBox(this))
-    , comparison_([this] { return comparison(); }) {
+    , comparison_(editor.workers(), [this] { return comparison(); }) {
     rule_ =
         addChoice(QT_TRANSLATE_NOOP("Properties", "Rule"),
                   {QT_TRANSLATE_NOOP("Properties", "Mirror"), QT_TRANSLATE_NOOP("Properties", "Natural"),

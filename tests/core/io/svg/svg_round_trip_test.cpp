@@ -12,7 +12,7 @@
 namespace kriva {
 namespace {
 
-const TextSource kTexts{[](Caption) { return "Word"; }, [](double, int) { return std::string(); }, "en"};
+const TextSource kRoundTripTexts{[](Caption) { return "Word"; }, [](double, int) { return std::string(); }, "en"};
 
 /// What an SVG shows of the curves of a sheet, in millimetres of the page with y up.
 std::vector<Points> drawnCurves(const Drawing& drawing) {
@@ -57,15 +57,15 @@ TEST(SvgRoundTrip, bringsBackAThousandDocumentsAndTheirCurves) {
         for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
             if (document.sheets[sheet].curves.empty())
                 continue;
-            const std::string svg = writeSheetSvg(document, sheet, kTexts);
+            const std::string svg = writeSheetSvg(document, sheet, kRoundTripTexts);
             const auto back = readAnyDocument(svg);
             ASSERT_TRUE(std::holds_alternative<Document>(back));
             // The text tells -0.0 from 0.0, which compare equal.
             EXPECT_EQ(writeDocument(std::get<Document>(back)), writeDocument(document));
-            const Drawing drawing = drawingOf(document, sheet, kTexts);
+            const Drawing drawing = drawingOf(document, sheet, kRoundTripTexts);
             expectDrawn(svg, drawing);
             EXPECT_FALSE(drawnDocument(svg, document)) << "nobody edited it";
-            EXPECT_FALSE(drawnDocument(writeSheetSvg(document, sheet, kTexts, {}, {{}, 2}), document));
+            EXPECT_FALSE(drawnDocument(writeSheetSvg(document, sheet, kRoundTripTexts, {}, {{}, 2}), document));
             drawn += drawnCurves(drawing).empty() ? 0 : 1;
         }
     }

@@ -18,8 +18,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const TextSource kTexts{[](Caption caption) { return caption == Caption::elevation ? "Elevation" : "Word"; },
-                        [](double, int) { return std::string(); }, "en"};
+const TextSource kWriterTexts{[](Caption caption) { return caption == Caption::elevation ? "Elevation" : "Word"; },
+                              [](double, int) { return std::string(); }, "en"};
 
 Document documentOf(std::vector<Points> polygons) {
     Document document;
@@ -29,10 +29,10 @@ Document documentOf(std::vector<Points> polygons) {
 }
 
 std::string svgOf(const Document& document, const DrawingOptions& drawing = {}) {
-    return writeSheetSvg(document, 0, kTexts, drawing);
+    return writeSheetSvg(document, 0, kWriterTexts, drawing);
 }
 std::string svgWithoutDocument(const Document& document, const SvgOptions& options = {}) {
-    return writeSvg(drawingOf(document, 0, kTexts), kTexts, options);
+    return writeSvg(drawingOf(document, 0, kWriterTexts), kWriterTexts, options);
 }
 
 pugi::xml_document parsed(const std::string& svg) {
@@ -158,7 +158,7 @@ TEST(SvgWriter, namesThePathOfEveryCurveOfEverySheet) {
     std::size_t curves = 0;
     for (const Document& document : cases()) {
         for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
-            const pugi::xml_document xml = parsed(writeSheetSvg(document, sheet, kTexts));
+            const pugi::xml_document xml = parsed(writeSheetSvg(document, sheet, kWriterTexts));
             const pugi::xml_node layer = xml.document_element().find_child_by_attribute("g", "id", "layer-curve");
             for (std::size_t i = 0; i < document.sheets[sheet].curves.size(); ++i, ++curves)
                 EXPECT_TRUE(
@@ -172,8 +172,8 @@ TEST(SvgWriter, namesThePathOfEveryCurveOfEverySheet) {
 RC_GTEST_PROP(SvgWriter, isWellFormedAndWithoutExponentsAndTheSameTwice, ()) {
     const Document document = *test::anyDocument();
     for (const SheetIndex sheet : {SheetIndex(0), SheetIndex(1)}) {
-        const std::string svg = writeSheetSvg(document, sheet, kTexts);
-        RC_ASSERT(svg == writeSheetSvg(document, sheet, kTexts));
+        const std::string svg = writeSheetSvg(document, sheet, kWriterTexts);
+        RC_ASSERT(svg == writeSheetSvg(document, sheet, kWriterTexts));
         pugi::xml_document xml;
         RC_ASSERT(xml.load_buffer(svg.data(), svg.size()));
         for (const pugi::xpath_node path : xml.select_nodes("//path")) {

@@ -7,7 +7,7 @@
 namespace kriva {
 namespace {
 
-std::optional<FileProblem> problemOf(std::string_view xml) {
+std::optional<FileProblem> outlineProblem(std::string_view xml) {
     const std::optional<FileError> error = xmlError(xml);
     return error ? std::optional(error->problem) : std::nullopt;
 }
@@ -26,7 +26,7 @@ TEST(XmlError, isNothingForWhatIsWellFormed) {
         "<?xml version='1.0' encoding='windows-1251'?><a b='\xCA'/>",
     };
     for (const std::string_view xml : wellFormed)
-        EXPECT_EQ(problemOf(xml), std::nullopt) << xml;
+        EXPECT_EQ(outlineProblem(xml), std::nullopt) << xml;
 }
 
 TEST(XmlError, refusesWhatIsIllFormed) {
@@ -74,14 +74,14 @@ TEST(XmlError, refusesWhatIsIllFormed) {
         "<a></a",
     };
     for (const std::string_view xml : illFormed)
-        EXPECT_EQ(problemOf(xml), FileProblem::notXml) << xml;
-    EXPECT_EQ(problemOf(std::string_view("<a>\0</a>", 8)), FileProblem::notXml);
+        EXPECT_EQ(outlineProblem(xml), FileProblem::notXml) << xml;
+    EXPECT_EQ(outlineProblem(std::string_view("<a>\0</a>", 8)), FileProblem::notXml);
 }
 
 TEST(XmlError, refusesMoreThanOneOutermostElement) {
-    EXPECT_EQ(problemOf("<a/><a/>"), FileProblem::secondRoot);
-    EXPECT_EQ(problemOf("<a></a>b"), FileProblem::secondRoot);
-    EXPECT_EQ(problemOf("<a/>&amp;"), FileProblem::secondRoot);
+    EXPECT_EQ(outlineProblem("<a/><a/>"), FileProblem::secondRoot);
+    EXPECT_EQ(outlineProblem("<a></a>b"), FileProblem::secondRoot);
+    EXPECT_EQ(outlineProblem("<a/>&amp;"), FileProblem::secondRoot);
     EXPECT_EQ(xmlError("<a/>\n <b/>")->line, 2);
     EXPECT_EQ(xmlError("<a/>\n <b/>")->column, 2);
 }

@@ -16,7 +16,7 @@ std::vector<Join> joinsOf(const SplineCurve& curve) {
     return joins;
 }
 
-rc::Gen<Point> anyPoint() {
+rc::Gen<Point> anyPlace() {
     return rc::gen::map(rc::gen::pair(rc::gen::inRange(-1000, 1000), rc::gen::inRange(-1000, 1000)),
                         [](const auto& xy) {
                             return Point{xy.first / 7.0, xy.second / 7.0};
@@ -25,7 +25,7 @@ rc::Gen<Point> anyPoint() {
 
 RC_GTEST_PROP(SplineWithPath, hasTheCubicsOfThePathBitForBit, ()) {
     const int count = *rc::gen::inRange(1, 12);
-    Points points = *rc::gen::container<Points>(static_cast<std::size_t>(3 * count + 1), anyPoint());
+    Points points = *rc::gen::container<Points>(static_cast<std::size_t>(3 * count + 1), anyPlace());
     for (int i = 0; i < count; ++i)
         RC_PRE(points[static_cast<std::size_t>(3 * i)] != points[static_cast<std::size_t>(3 * i + 3)]);
     const Path path{points, std::vector<int>(static_cast<std::size_t>(count), 3), false};

@@ -15,7 +15,7 @@ using test::farthest;
 using Join = SplineKnot::Join;
 using Rule = SplineCurve::Rule;
 
-SplineCurve anyWithHandles() {
+SplineCurve anyChainWithHandles() {
     SplineCurve curve = anySpline();
     curve.degree = *rc::gen::inRange(3, 6);
     return repaired(curve);
@@ -36,7 +36,7 @@ TEST(RefittedRemoval, takesBackAnInsertedKnot) {
 }
 
 RC_GTEST_PROP(RefittedRemoval, leavesTheRestOfTheCurveWhereItIs, ()) {
-    const SplineCurve curve = anyWithHandles();
+    const SplineCurve curve = anyChainWithHandles();
     const int count = static_cast<int>(curve.knots.size());
     const int gone = *rc::gen::inRange(0, count);
     const Refitted<SplineCurve> removal = withPointsRemovedRefitted(curve, {gone});
@@ -53,7 +53,7 @@ RC_GTEST_PROP(RefittedRemoval, leavesTheRestOfTheCurveWhereItIs, ()) {
 }
 
 RC_GTEST_PROP(RefittedRemoval, deviatesNoMoreThanItTells, ()) {
-    const SplineCurve curve = anyWithHandles();
+    const SplineCurve curve = anyChainWithHandles();
     const int gone = *rc::gen::inRange(1, static_cast<int>(curve.knots.size()) - 1);
     const Refitted<SplineCurve> removal = withPointsRemovedRefitted(curve, {gone});
     if (!removal.deviation)

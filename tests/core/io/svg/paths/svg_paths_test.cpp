@@ -13,7 +13,7 @@ std::string around(std::string_view inside) {
         .append("</svg>");
 }
 
-std::vector<ImportedPath> read(std::string_view inside) {
+std::vector<ImportedPath> readPaths(std::string_view inside) {
     auto paths = readSvgPaths(around(inside));
     const FileError* error = std::get_if<FileError>(&paths);
     EXPECT_FALSE(error) << inside;
@@ -21,7 +21,7 @@ std::vector<ImportedPath> read(std::string_view inside) {
 }
 
 Points pointsOfFirst(std::string_view inside) {
-    const std::vector<ImportedPath> paths = read(inside);
+    const std::vector<ImportedPath> paths = readPaths(inside);
     return paths.empty() ? Points() : paths.front().path.points;
 }
 
@@ -33,7 +33,7 @@ FileError faultOf(std::string_view inside) {
 }
 
 TEST(SvgPaths, hasYUpAndOnePathForEachSubpath) {
-    const std::vector<ImportedPath> paths = read("<path d='M1 2L3 4M5 6Q7 8 9 10'/>");
+    const std::vector<ImportedPath> paths = readPaths("<path d='M1 2L3 4M5 6Q7 8 9 10'/>");
     ASSERT_EQ(paths.size(), 2);
     EXPECT_EQ(paths[0].path, (Path{{{1, -2}, {3, -4}}, {1}, false}));
     EXPECT_EQ(paths[1].path, (Path{{{5, -6}, {7, -8}, {9, -10}}, {2}, false}));
@@ -45,22 +45,22 @@ TEST(SvgPaths, readsTheBasicShapes) {
     EXPECT_EQ(pointsOfFirst("<polygon points='0 0 1 0 1 1'/>"), (Points{{0, 0}, {1, 0}, {1, -1}, {0, 0}}));
     EXPECT_EQ(pointsOfFirst("<rect x='1' y='2' width='3' height='4'/>"),
               (Points{{1, -2}, {4, -2}, {4, -6}, {1, -6}, {1, -2}}));
-    const Path circle = read("<circle cx='5' cy='6' r='2'/>").front().path;
+    const Path circle = readPaths("<circle cx='5' cy='6' r='2'/>").front().path;
     EXPECT_TRUE(circle.isClosed);
     EXPECT_EQ(circle.points.front(), (Point{7, -6}));
-    const Path ellipse = read("<ellipse cx='5' cy='6' rx='2' ry='1'/>").front().path;
+    const Path ellipse = readPaths("<ellipse cx='5' cy='6' rx='2' ry='1'/>").front().path;
     EXPECT_NEAR(boxOf(ellipse.points).height(), 2, 1e-3);
     // Round corners: one radius stands for both, and neither is more than half a side.
     EXPECT_EQ(pointsOfFirst("<rect width='10' height='4' rx='1'/>").front(), (Point{1, 0}));
     EXPECT_EQ(pointsOfFirst("<rect width='10' height='4' ry='9' rx='2'/>").front(), (Point{2, 0}));
-    EXPECT_TRUE(read("<rect width='4' height='4' rx='2'/>").front().path.isClosed);
+    EXPECT_TRUE(readPaths("<rect width='4' height='4' rx='2'/>").front().path.isClosed);
 }
 
 TEST(SvgPaths, leavesOutWhatHasNoSizeOrIsNotDisplayed) {
-    EXPECT_EQ(read("<rect width='0' height='4'/><circle r='0'/><path d=''/><path d='M0 0'/>"
-                   "<g display='none'><path d='M0 0h1'/></g><path style='fill:red; display : none' d='M0 0h1'/>"
-                   "<defs><path d='M0 0h1'/></defs><symbol><path d='M0 0h1'/></symbol><clipPath><path d='M0 0h1'/>"
-                   "</clipPath><inkscape:path d='M0 0h1'/><text>M0 0h1</text><line x2='7'/>")
+    EXPECT_EQ(readPaths("<rect width='0' height='4'/><circle r='0'/><path d=''/><path d='M0 0'/>"
+                        "<g display='none'><path d='M0 0h1'/></g><path style='fill:red; display : none' d='M0 0h1'/>"
+                        "<defs><path d='M0 0h1'/></defs><symbol><path d='M0 0h1'/></symbol><clipPath><path d='M0 0h1'/>"
+                        "</clipPath><inkscape:path d='M0 0h1'/><text>M0 0h1</text><line x2='7'/>")
                   .size(),
               1);
 }
@@ -104,7 +104,7 @@ std::string chainOfUses(int uses) {
 }
 
 TEST(SvgPaths, takes32UsesInsideEachOtherAndNoMore) {
-    EXPECT_EQ(read(chainOfUses(32)).size(), 1);
+    EXPECT_EQ(readPaths(chainOfUses(32)).size(), 1);
     const FileError error = faultOf(chainOfUses(33));
     EXPECT_EQ(error.problem, FileProblem::usedTooDeep);
     EXPECT_EQ(error.numbers, std::vector<double>{32});
@@ -118,7 +118,7 @@ TEST(SvgPaths, takes10000UsesAndNoMore) {
             inside += "<use href='#a'/>";
         return inside;
     };
-    EXPECT_EQ(read(used(10'000)).size(), 10'000);
+    EXPECT_EQ(readPaths(used(10'000)).size(), 10'000);
     const FileError error = faultOf(used(10'001));
     EXPECT_EQ(error.problem, FileProblem::tooManyUses);
     EXPECT_EQ(error.numbers, std::vector<double>{10'000});
@@ -158,16 +158,17 @@ TEST(SvgPaths, readsUnitsAndPerCent) {
 }
 
 TEST(SvgPaths, takesTheCurvesAloneOfAFigureOfKriva) {
-    const std::vector<ImportedPath> paths = read("<rect id='paper' width='9' height='9'/><g id='layer-polygon'><path "
-                                                 "d='M0 0h1'/></g><g id='layer-curve'><path d='M0 0h2'/></g>");
+    const std::vector<ImportedPath> paths =
+        readPaths("<rect id='paper' width='9' height='9'/><g id='layer-polygon'><path "
+                  "d='M0 0h1'/></g><g id='layer-curve'><path d='M0 0h2'/></g>");
     ASSERT_EQ(paths.size(), 1);
     EXPECT_EQ(paths[0].path.points.back(), (Point{2, 0}));
 }
 
 TEST(SvgPaths, takesTheNameThatAPersonGave) {
     const std::vector<ImportedPath> paths =
-        read("<g inkscape:groupmode='layer' inkscape:label='Layer'><path id='path12' d='M0 0h1'/>"
-             "<g inkscape:label='Leaf'><path d='M0 0h1'/><path inkscape:label='Arc' d='M0 0h1'/></g></g>");
+        readPaths("<g inkscape:groupmode='layer' inkscape:label='Layer'><path id='path12' d='M0 0h1'/>"
+                  "<g inkscape:label='Leaf'><path d='M0 0h1'/><path inkscape:label='Arc' d='M0 0h1'/></g></g>");
     EXPECT_EQ(paths[0].name, "");
     EXPECT_EQ(paths[1].name, "Leaf");
     EXPECT_EQ(paths[2].name, "Arc");
@@ -221,7 +222,7 @@ TEST(SvgPaths, namesTheAttributeThatLeadsTooFar) {
 TEST(SvgPaths, takesWhatIsNoCharacterForTheReplacementCharacter) {
     const std::string replaced = "\xEF\xBF\xBD";
     const auto nameOf = [](std::string_view label) {
-        return read(std::string("<path inkscape:label='").append(label).append("' d='M0 0h1'/>")).front().name;
+        return readPaths(std::string("<path inkscape:label='").append(label).append("' d='M0 0h1'/>")).front().name;
     };
     EXPECT_EQ(nameOf("a\xE4"), "a" + replaced);
     EXPECT_EQ(nameOf("&#xD800;b"), replaced + "b");
