@@ -103,7 +103,8 @@ TEST(SplineReport, refusesMoreSegmentsThanItCanCross) {
     curves.push_back(test::curveThrough(Rule::mirror, {{0, 0}, {1, 1}}));
     ASSERT_TRUE(reportLimitError(document));
     EXPECT_EQ(reportLimitError(document)->problem, FileProblem::tooManySegments);
-    EXPECT_EQ(reportLimitError(document)->words, std::vector<std::string>{"spline"});
+    EXPECT_EQ(reportLimitError(document)->place, "sheets.spline.curves");
+    EXPECT_EQ(reportLimitError(document)->numbers, (std::vector<double>{20'000, 20'001}));
 }
 
 TEST(SplineResults, addUpToTheWholeLength) {
