@@ -44,6 +44,15 @@ std::size_t interpolatedPairs(const CombinedCurve& curve) {
     return pairs;
 }
 
+std::size_t pathPieces(const CombinedCurve& curve) {
+    if (isIncomplete(curve))
+        return 0;
+    const std::vector<MonotoneRun> runs = monotoneRuns(curve.points);
+    const std::size_t joins = runs.size() - 1;
+    const bool isOfPairs = curve.method == CombinedCurve::Method::pairs;
+    return joins + (isOfPairs ? curve.points.size() - runs.size() : runs.size());
+}
+
 void reportCurve(JsonWriter& json, const CombinedCurve& curve) {
     const Combined combined = combine(curve);
     const PathMeasures measures = measure(combined, curve.points);

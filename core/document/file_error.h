@@ -30,6 +30,7 @@ enum class FileProblem {
     tooManyPasses,         ///< in the crossings and overlaps of curves, more than numbers[0]
     tooManyIntersections,  ///< of curves, to be found at all
     tooManyPairs,          ///< of points in runs that are interpolated, more than numbers[0]
+    tooManyPathPieces,     ///< of combined curves, for a report or a file: at most numbers[0], and they are numbers[1]
     tooManyCurves,         ///< in a sheet: at most numbers[0], and they are numbers[1]
     tooManyPoints,         ///< in a sheet, more than numbers[0]
     tooManyDerivedPoints,  ///< in a sheet, those of elevated curves and of pieces: more than numbers[0]

@@ -66,20 +66,25 @@ std::string placeOfCurves(SheetIndex sheet) {
     return std::string("sheets.").append(sheetName(sheet)).append(".curves");
 }
 
-std::optional<FileError> interpolatedPairsError(const Sheet& sheet, SheetIndex index) {
+std::optional<FileError> solvingLimitError(const Sheet& sheet, SheetIndex index) {
     std::size_t pairs = 0;
+    std::size_t pieces = 0;
+    const auto add = [&](const auto& curve) {
+        if constexpr (requires { interpolatedPairs(curve); })
+            pairs += interpolatedPairs(curve);
+        if constexpr (requires { pathPieces(curve); })
+            pieces += pathPieces(curve);
+    };
     for (const Curve& curve : sheet.curves)
-        pairs += std::visit(
-            [](const auto& c) -> std::size_t {
-                if constexpr (requires { interpolatedPairs(c); })
-                    return interpolatedPairs(c);
-                else
-                    return 0;
-            },
-            curve);
-    if (pairs <= limits::kInterpolatedPairs)
+        std::visit(add, curve);
+    FileError error;
+    if (pairs > limits::kInterpolatedPairs)
+        error = errorOfFile(FileProblem::tooManyPairs, {static_cast<double>(limits::kInterpolatedPairs)});
+    else if (pieces > limits::kPathPieces)
+        error = errorOfFile(FileProblem::tooManyPathPieces,
+                            {static_cast<double>(limits::kPathPieces), static_cast<double>(pieces)});
+    else
         return {};
-    FileError error = errorOfFile(FileProblem::tooManyPairs, {static_cast<double>(limits::kInterpolatedPairs)});
     error.place = placeOfCurves(index);
     return error;
 }

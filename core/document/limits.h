@@ -26,6 +26,8 @@ inline constexpr std::size_t kPasses = 1'000'000;               ///< in the cros
 inline constexpr std::uint64_t kSteps = 80'000'000;             ///< of the search for them
 /// Of points in the interpolated runs of a sheet that is reported or drawn into a file: one takes some 4 microseconds.
 inline constexpr std::size_t kInterpolatedPairs = 1'000'000;
+/// Of the paths of combined curves, in the same: one takes some 15 microseconds.
+inline constexpr std::size_t kPathPieces = 200'000;
 inline constexpr int kXmlNesting = 256;
 inline constexpr int kXmlElements = 1'000'000;
 inline constexpr int kXmlAttributes = 1'000; ///< in one tag

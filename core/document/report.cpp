@@ -69,7 +69,7 @@ std::optional<FileError> reportLimitError(const Document& document, std::optiona
             segments += std::visit([](const auto& c) { return reportedSegments(c); }, curve);
         if (isReported(index, only) && segments > limits::kReportedSegments)
             return tooManySegments(index, segments);
-        if (std::optional<FileError> error = interpolatedPairsError(document.sheets[index], index);
+        if (std::optional<FileError> error = solvingLimitError(document.sheets[index], index);
             error && isReported(index, only))
             return error;
     }

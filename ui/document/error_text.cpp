@@ -120,6 +120,9 @@ QString Errors::limitReason(const FileError& error) {
         return tr("more than %1 passes through crossings and overlaps are too many").arg(number(error, 0));
     case FileProblem::tooManyIntersections:
         return tr("the curves have too many intersections to work out");
+    case FileProblem::tooManyPathPieces:
+        return tr("a report or a figure takes at most %1 pieces of combined curves of a sheet, and these are %2")
+            .arg(number(error, 0), number(error, 1));
     case FileProblem::tooManyPairs:
         return tr("the interpolated runs have more than %1 pairs of points").arg(number(error, 0));
     case FileProblem::coordinatesOutOfRange:

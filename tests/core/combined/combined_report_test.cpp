@@ -1,5 +1,6 @@
 #include "core/combined/combined_report.h"
 #include "core/document/document.h"
+#include "core/document/limit_check.h"
 #include "core/document/limits.h"
 #include "core/document/report.h"
 
@@ -62,6 +63,28 @@ TEST(CombinedReport, isRefusedWhereItsInterpolatedRunsHaveTooManyPairsOfPoints) 
     for (Curve& c : curves)
         std::get<CombinedCurve>(c).method = CombinedCurve::Method::pairs;
     EXPECT_FALSE(reportLimitError(document));
+}
+
+TEST(CombinedReport, isRefusedWhereItsPathsHaveTooManyPieces) {
+    CombinedCurve curve; // it turns round at each step
+    for (int i = 0; i < 100'000; ++i)
+        curve.points.push_back({static_cast<double>(i % 2), static_cast<double>(i)});
+    EXPECT_EQ(pathPieces(curve), 50'000u + 49'999);
+    Document document;
+    const SheetIndex sheet = *sheetNamed("combined");
+    document.sheets[sheet].curves = {curve, curve};
+    EXPECT_FALSE(solvingLimitError(document.sheets[sheet], sheet)) << "199,998";
+    CombinedCurve small;
+    small.points = {{0, 0}, {1, 1}, {2, 0}, {1, 3}};
+    EXPECT_EQ(pathPieces(small), 3u) << "two runs and a join";
+    small.method = CombinedCurve::Method::pairs;
+    EXPECT_EQ(pathPieces(small), 3u) << "two pairs in one run, none in the other, a join";
+    document.sheets[sheet].curves.push_back(small);
+    const std::optional<FileError> error = reportLimitError(document);
+    ASSERT_TRUE(error) << "200,001";
+    EXPECT_EQ(error->place, "sheets.combined.curves");
+    EXPECT_EQ(error->problem, FileProblem::tooManyPathPieces);
+    EXPECT_EQ(error->numbers, (std::vector<double>{200'000, 200'001}));
 }
 
 TEST(CombinedReport, tellsPeopleEveryRun) {
