@@ -1185,6 +1185,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>a report takes at most %1 points of de Casteljau schemes of a sheet, and these are %2</source>
         <translation>отчетът побира най-много %1 точки на схеми на дьо Кастелжо от лист, а тези са %2</translation>
     </message>
+    <message>
+        <source>a report or a figure takes at most %1 pieces of combined curves of a sheet, and these are %2</source>
+        <translation>отчетът или фигурата побира най-много %1 части на комбинирани криви от един раздел, а те са %2</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>

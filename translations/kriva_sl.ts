@@ -1187,6 +1187,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>a report takes at most %1 points of de Casteljau schemes of a sheet, and these are %2</source>
         <translation>poročilo sprejme največ %1 točk de Casteljaujevih shem lista, teh pa je %2</translation>
     </message>
+    <message>
+        <source>a report or a figure takes at most %1 pieces of combined curves of a sheet, and these are %2</source>
+        <translation>poročilo ali slika sprejme največ %1 kosov sestavljenih krivulj enega zavihka, teh pa je %2</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>

@@ -1186,6 +1186,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>a report takes at most %1 points of de Casteljau schemes of a sheet, and these are %2</source>
         <translation>звіт приймає щонайбільше %1 точок схем де Кастельжо аркуша, а їх %2</translation>
     </message>
+    <message>
+        <source>a report or a figure takes at most %1 pieces of combined curves of a sheet, and these are %2</source>
+        <translation>звіт або рисунок вміщує щонайбільше %1 частин комбінованих кривих однієї вкладки, а їх %2</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
