@@ -62,9 +62,11 @@ class Search {
         , mostPasses_(mostPasses) {
         Box bounds;
         for (const SegmentChain& chain : chains)
-            for (const Points& segment : chain.segments)
-                if (budget.spend(kStepsOfSegment))
-                    bounds = united(bounds, tightBounds(segment));
+            for (const Points& segment : chain.segments) {
+                if (!budget.spend(kStepsOfSegment))
+                    return;
+                bounds = united(bounds, tightBounds(segment));
+            }
         diagonal_ = diagonal(bounds);
         if (!(diagonal_ > 0))
             return;
@@ -74,7 +76,7 @@ class Search {
         const double touching = kTouching * diagonal_ + largest * std::numeric_limits<double>::epsilon();
         frame_ = {bounds.centre(), std::exp2(std::floor(std::log2(diagonal_)))};
         scale_ = {touching / frame_.unit, std::max(kPlace * diagonal_, 4 * touching) / frame_.unit};
-        for (std::size_t i = 0; i < chains.size(); ++i)
+        for (std::size_t i = 0; i < chains.size() && !budget.end(); ++i)
             addMembers(i);
     }
 
@@ -83,10 +85,14 @@ class Search {
             return {};
         std::vector<Box> boxes;
         for (const Member& member : members_) {
+            if (budget_.end())
+                return {};
             addDoublePoints(member);
             boxes.push_back(grown(member.arc.arc.box, scale_.touching));
         }
         forEachOverlap(boxes, budget_, [this](std::size_t i, std::size_t j) { addContacts(members_[i], members_[j]); });
+        if (budget_.end())
+            return {};
         std::ranges::sort(overlaps_, {}, [](const Overlap& overlap) {
             const auto& [one, other] = overlap.passes;
             return std::tuple(one.curve, one.segment, other.curve, other.segment, one.from, other.from);

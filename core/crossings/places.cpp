@@ -32,8 +32,8 @@ class Places {
         , budget_(budget) {
         for (const SegmentChain& chain : chains)
             followers_.push_back(followers(chain));
-        for (const Meeting& meeting : meetings)
-            if (budget.spend(kStepsOfMeeting))
+        if (budget.spend(kStepsOfMeeting * meetings.size()))
+            for (const Meeting& meeting : meetings)
                 at_.push_back(pointAt(meeting.one));
     }
 
@@ -42,7 +42,7 @@ class Places {
         if (budget_.end())
             return places;
         for (const std::vector<std::size_t>& cluster : clusters()) {
-            if (!budget_.spend(kStepsOfMeeting * cluster.size()))
+            if (!budget_.spend(kStepsOfMeeting * cluster.size())) // of the meetings in it
                 break;
             Crossing place{{}, passesOf(cluster)};
             if (place.passes.size() < 2)

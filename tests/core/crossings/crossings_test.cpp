@@ -321,5 +321,52 @@ RC_GTEST_PROP(Crossings, doNotDependOnTheDirection, ()) {
     RC_ASSERT(crossingsOf({one, other}).places.size() == crossingsOf({other, turned}).places.size());
 }
 
+TEST(Overlaps, areToldOnceWhereTheSpeedIsZeroAtTheirEnds) {
+    const Points standing{{0, 0}, {0, 0}, {1, 0}, {1, 0}};
+    const Points shifted{{0, 1e-14}, {0, 0}, {1, 0}, {1, -1e-14}};
+    for (const Points& other : {standing, shifted, line({0, 0}, {1, 0}), elevated(standing, 2)}) {
+        const Crossings found = crossingsOf({{standing}, {other}});
+        EXPECT_THAT(found.places, IsEmpty());
+        ASSERT_THAT(found.overlaps, SizeIs(1));
+        const auto& [one, second] = found.overlaps[0].passes;
+        EXPECT_EQ(one.from, 0);
+        EXPECT_EQ(one.to, 1);
+        EXPECT_EQ(second.from, 0);
+        EXPECT_EQ(second.to, 1);
+    }
+}
+
+TEST(Overlaps, areToldOnceAcrossACusp) {
+    const Points cusp{{0, 0}, {1, 1}, {0, 1}, {1, 0}};
+    Points rounded = cusp;
+    for (Point& p : rounded)
+        p = {p.x * (1 + 1e-15), p.y * (1 - 1e-15)};
+    for (const Points& other : {cusp, rounded, elevated(cusp, 1)}) {
+        const Crossings found = crossingsOf({{cusp}, {other}});
+        EXPECT_THAT(found.places, IsEmpty());
+        ASSERT_THAT(found.overlaps, SizeIs(1));
+        EXPECT_EQ(found.overlaps[0].passes[0].from, 0);
+        EXPECT_EQ(found.overlaps[0].passes[0].to, 1);
+    }
+}
+
+TEST(Loops, thatEndWhereTheyBeganAlongOneLineAreOnePlace) {
+    const std::vector<Points> rings{{{0, 0}, {4, 0}, {0, 3}, {8, 0}, {0, 0}},
+                                    {{0, 0}, {4, 0}, {0, 3}, {-8, 0}, {0, 0}},
+                                    {{0, 0}, {4, 0}, {0, 3}, {5, 4}, {8, 0}, {0, 0}},
+                                    {{0.04059855762974366, 0.018755189105535097},
+                                     {0.027683340970230473, 0.03249392027669455},
+                                     {0.02029927881487183, 0.009377594552767548},
+                                     {0.03414094929998707, 0.025624554691114826},
+                                     {0.04059855762974366, 0.018755189105535097}}};
+    for (const Points& ring : rings) {
+        const Crossings open = crossingsOf({{ring}});
+        const auto isAtKnot = [&](const Crossing& place) { return distance(place.at, ring.front()) < 1e-6; };
+        EXPECT_EQ(std::ranges::count_if(open.places, isAtKnot), 1);
+        const Crossings closed = crossingsOf({{ring}}, true);
+        EXPECT_EQ(std::ranges::count_if(closed.places, isAtKnot), 0) << "its own knot is no crossing";
+    }
+}
+
 } // namespace
 } // namespace kriva
