@@ -240,13 +240,13 @@ class RecoveredSession : public DocumentSessionTest {
     [[nodiscard]] QString left() const { return in(u"state/kriva/recovery"_s); }
     /// Of the document, changed, that belongs to a file.
     [[nodiscard]] FoundRecovery found(const QString& file) {
-        const QString folder = std::get<QString>(privateFolder(u"recovery"_s));
+        const QString place = std::get<QString>(privateFolder(u"recovery"_s));
         const QByteArray work = QByteArray::fromStdString(writeDocument(documentAt(9), 0));
         const QByteArray hash = file.isEmpty() ? QByteArray() : contentHash(bytesOf(file));
-        EXPECT_EQ(writeRecovery({folder, u"6f1d8a3e-35a1-4e0c-9d55-0d6a3f1b2c47"_s},
+        EXPECT_EQ(writeRecovery({place, u"6f1d8a3e-35a1-4e0c-9d55-0d6a3f1b2c47"_s},
                                 {file, hash, contentHash(work), {}, QDateTime::currentDateTimeUtc()}, work),
                   std::nullopt);
-        auto all = takeRecoveries(folder);
+        auto all = takeRecoveries(place);
         EXPECT_EQ(all.size(), 1U);
         return std::move(all.at(0));
     }
