@@ -1,6 +1,7 @@
 #include "app/commands/progress.h"
 
 #include "app/commands/terminal.h"
+#include "ui/shell/language/plain_text.h"
 
 #include <QCoreApplication>
 
@@ -63,7 +64,7 @@ QByteArray progressLine(const QString& work, std::chrono::milliseconds passed) {
     if (passed < kPatience)
         return {};
     const qint64 seconds = std::chrono::duration_cast<std::chrono::seconds>(passed).count();
-    const QString line = QStringLiteral("kriva: ") + printable(ProgressText::atWork(work, seconds));
+    const QString line = QStringLiteral("kriva: ") + ui::printable(ProgressText::atWork(work, seconds));
     // Longer than the terminal is wide, it is cut and not broken: only one line can be taken back.
     return "\r\x1b[?7l" + line.toUtf8() + "\x1b[K\x1b[?7h";
 }

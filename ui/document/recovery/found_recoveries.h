@@ -3,9 +3,9 @@
 #include "ui/document/document_file.h"
 #include "ui/document/recovery/recovery_files.h"
 
-#include <memory>
+#include <QLockFile>
 
-class QLockFile;
+#include <memory>
 
 namespace kriva::ui {
 
