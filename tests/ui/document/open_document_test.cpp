@@ -13,17 +13,17 @@
 namespace kriva::ui {
 namespace {
 
-constexpr SheetIndex kElevation = 0;
+constexpr SheetIndex kElevationSheet = 0;
 const StepLabel kMove{"Move point %1", 3};
 
-ElevationCurve arch() {
+ElevationCurve singleArch() {
     ElevationCurve curve;
     curve.points = {{0, 0}, {1, 2}, {3, 2}, {4, 0}};
     return curve;
 }
 
 Curve withFirstAt(Point at) {
-    ElevationCurve curve = arch();
+    ElevationCurve curve = singleArch();
     curve.points[0] = at;
     return curve;
 }
@@ -33,12 +33,12 @@ class OpenDocumentTest : public testing::Test {
   protected:
     OpenDocumentTest() {
         Document start;
-        start.sheets[kElevation].curves = {arch()};
+        start.sheets[kElevationSheet].curves = {singleArch()};
         document.replace(start);
-        serial = document.serials(kElevation).front();
+        serial = document.serials(kElevationSheet).front();
     }
-    [[nodiscard]] int steps() { return document.history(kElevation).count(); }
-    [[nodiscard]] const Curve& curve() { return *document.find(kElevation, serial); }
+    [[nodiscard]] int steps() { return document.history(kElevationSheet).count(); }
+    [[nodiscard]] const Curve& curve() { return *document.find(kElevationSheet, serial); }
 
     OpenDocument document;
     Serial serial = 0;
@@ -46,142 +46,142 @@ class OpenDocumentTest : public testing::Test {
 
 TEST_F(OpenDocumentTest, aDragOfFiftyMovesIsOneStepAndOneSignalPerMove) {
     const QSignalSpy changes(&document, &OpenDocument::curveChanged);
-    document.beginGesture(kElevation, serial, kMove);
+    document.beginGesture(kElevationSheet, serial, kMove);
     for (int i = 1; i <= 50; ++i)
         document.preview(withFirstAt({i / 10.0, 1}));
     document.endGesture();
     EXPECT_EQ(changes.count(), 50);
     EXPECT_EQ(steps(), 1);
-    EXPECT_EQ(resolvedStep(document.history(kElevation).undoText()), QStringLiteral("Move point 3"));
+    EXPECT_EQ(resolvedStep(document.history(kElevationSheet).undoText()), QStringLiteral("Move point 3"));
     document.undo();
-    EXPECT_EQ(curve(), Curve(arch()));
+    EXPECT_EQ(curve(), Curve(singleArch()));
     document.redo();
     EXPECT_EQ(curve(), withFirstAt({5, 1}));
 }
 
 TEST_F(OpenDocumentTest, outAndBackIsNoStep) {
-    document.beginGesture(kElevation, serial, kMove);
+    document.beginGesture(kElevationSheet, serial, kMove);
     document.preview(withFirstAt({5, 5}));
-    document.preview(arch());
+    document.preview(singleArch());
     document.endGesture();
     EXPECT_EQ(steps(), 0);
     EXPECT_FALSE(document.isModified());
 }
 
 TEST_F(OpenDocumentTest, aCancelledGestureLosesNeitherRedoNorTheSavedState) {
-    document.change(kElevation, serial, withFirstAt({1, 1}), kMove);
+    document.change(kElevationSheet, serial, withFirstAt({1, 1}), kMove);
     document.undo();
     ASSERT_FALSE(document.isModified());
-    document.beginGesture(kElevation, serial, kMove);
+    document.beginGesture(kElevationSheet, serial, kMove);
     document.preview(withFirstAt({9, 9}));
     document.cancelGesture();
-    EXPECT_EQ(curve(), Curve(arch()));
+    EXPECT_EQ(curve(), Curve(singleArch()));
     EXPECT_FALSE(document.isModified());
-    EXPECT_TRUE(document.history(kElevation).canRedo());
+    EXPECT_TRUE(document.history(kElevationSheet).canRedo());
     document.redo();
     EXPECT_EQ(curve(), withFirstAt({1, 1}));
 }
 
 TEST_F(OpenDocumentTest, aGestureThatDrawsANewCurveIsOneStepOrNone) {
-    document.remove(kElevation, serial, {"Delete the curve"});
-    const Serial drawn = *document.beginGestureWithNew(kElevation, 0, arch(), {"New curve"});
-    EXPECT_EQ(document.activeCurve(kElevation), drawn);
+    document.remove(kElevationSheet, serial, {"Delete the curve"});
+    const Serial drawn = *document.beginGestureWithNew(kElevationSheet, 0, singleArch(), {"New curve"});
+    EXPECT_EQ(document.activeCurve(kElevationSheet), drawn);
     document.preview(withFirstAt({2, 1}));
     document.cancelGesture();
-    EXPECT_EQ(document.find(kElevation, drawn), nullptr);
+    EXPECT_EQ(document.find(kElevationSheet, drawn), nullptr);
     EXPECT_EQ(steps(), 1);
-    serial = *document.beginGestureWithNew(kElevation, 0, arch(), {"New curve"});
+    serial = *document.beginGestureWithNew(kElevationSheet, 0, singleArch(), {"New curve"});
     document.preview(withFirstAt({2, 1}));
     document.preview(withFirstAt({3, 1}));
     document.endGesture();
     EXPECT_EQ(steps(), 2);
     document.undo();
-    EXPECT_EQ(document.find(kElevation, serial), nullptr);
+    EXPECT_EQ(document.find(kElevationSheet, serial), nullptr);
     document.redo();
     EXPECT_EQ(curve(), withFirstAt({3, 1}));
 }
 
 TEST_F(OpenDocumentTest, stepsThatFollowEachOtherCloselyAreOne) {
     for (int i = 1; i <= 10; ++i)
-        document.changeInBurst(kElevation, serial, withFirstAt({0.0 + i, 0}), {"Nudge"});
+        document.changeInBurst(kElevationSheet, serial, withFirstAt({0.0 + i, 0}), {"Nudge"});
     EXPECT_EQ(steps(), 0);
-    document.changeInBurst(kElevation, serial, withFirstAt({0, 7}), {"Set the degree"});
+    document.changeInBurst(kElevationSheet, serial, withFirstAt({0, 7}), {"Set the degree"});
     EXPECT_EQ(steps(), 1);
     document.endGesture();
     EXPECT_EQ(steps(), 2);
 }
 
 TEST_F(OpenDocumentTest, isModifiedExactlyWhereTheValueDiffersFromTheOneSaved) {
-    document.change(kElevation, serial, withFirstAt({1, 1}), kMove);
+    document.change(kElevationSheet, serial, withFirstAt({1, 1}), kMove);
     EXPECT_TRUE(document.isModified());
     document.markSaved();
     EXPECT_FALSE(document.isModified());
     document.undo();
     EXPECT_TRUE(document.isModified());
-    document.change(kElevation, serial, withFirstAt({1, 1}), kMove); // the value saved, by another way
+    document.change(kElevationSheet, serial, withFirstAt({1, 1}), kMove); // the value saved, by another way
     EXPECT_FALSE(document.isModified());
 }
 
 TEST_F(OpenDocumentTest, viewStateIsNeitherAStepNorAModification) {
-    document.setCurveShown(kElevation, serial, false);
-    document.setLayerShown(kElevation, "labels", false);
+    document.setCurveShown(kElevationSheet, serial, false);
+    document.setLayerShown(kElevationSheet, "labels", false);
     document.setActiveSheet(1);
     EXPECT_FALSE(document.isModified());
     EXPECT_EQ(steps(), 0);
 }
 
 TEST_F(OpenDocumentTest, undoDoesNotShowWhatIsHidden) {
-    document.change(kElevation, serial, withFirstAt({1, 1}), kMove);
-    document.setCurveShown(kElevation, serial, false);
+    document.change(kElevationSheet, serial, withFirstAt({1, 1}), kMove);
+    document.setCurveShown(kElevationSheet, serial, false);
     document.undo();
     EXPECT_FALSE(viewOf(curve()).isShown);
 }
 
 TEST_F(OpenDocumentTest, undoingADeletionBringsTheSerialBack) {
-    document.add(kElevation, 1, ElevationCurve{}, {"New curve"});
-    document.remove(kElevation, serial, {"Delete the curve"});
-    EXPECT_EQ(document.find(kElevation, serial), nullptr);
+    document.add(kElevationSheet, 1, ElevationCurve{}, {"New curve"});
+    document.remove(kElevationSheet, serial, {"Delete the curve"});
+    EXPECT_EQ(document.find(kElevationSheet, serial), nullptr);
     document.undo();
-    ASSERT_NE(document.find(kElevation, serial), nullptr);
-    EXPECT_EQ(document.indexOf(kElevation, serial), 0);
+    ASSERT_NE(document.find(kElevationSheet, serial), nullptr);
+    EXPECT_EQ(document.indexOf(kElevationSheet, serial), 0);
 }
 
 TEST_F(OpenDocumentTest, reorderingKeepsTheActiveCurve) {
-    const Serial other = document.add(kElevation, 1, ElevationCurve{}, {"New curve"}).value();
-    document.reorder(kElevation, other, 0, {"Reorder the curves"});
-    EXPECT_EQ(document.activeCurve(kElevation), other);
-    EXPECT_EQ(document.indexOf(kElevation, other), 0);
+    const Serial other = document.add(kElevationSheet, 1, ElevationCurve{}, {"New curve"}).value();
+    document.reorder(kElevationSheet, other, 0, {"Reorder the curves"});
+    EXPECT_EQ(document.activeCurve(kElevationSheet), other);
+    EXPECT_EQ(document.indexOf(kElevationSheet, other), 0);
     document.undo();
-    EXPECT_EQ(document.activeCurve(kElevation), other);
-    EXPECT_EQ(document.indexOf(kElevation, other), 1);
+    EXPECT_EQ(document.activeCurve(kElevationSheet), other);
+    EXPECT_EQ(document.indexOf(kElevationSheet, other), 1);
 }
 
 TEST_F(OpenDocumentTest, whatIsBeyondALimitIsRefusedAndNothingChanges) {
     const QSignalSpy refusals(&document, &OpenDocument::refused);
-    ElevationCurve tooLong = arch();
+    ElevationCurve tooLong = singleArch();
     tooLong.points.resize(limits::kControlPoints + 1);
-    EXPECT_FALSE(document.change(kElevation, serial, tooLong, kMove));
-    EXPECT_FALSE(document.change(kElevation, serial, withFirstAt({1.1 * limits::kNumber, 0}), kMove));
+    EXPECT_FALSE(document.change(kElevationSheet, serial, tooLong, kMove));
+    EXPECT_FALSE(document.change(kElevationSheet, serial, withFirstAt({1.1 * limits::kNumber, 0}), kMove));
     EXPECT_EQ(refusals.count(), 2);
-    EXPECT_EQ(curve(), Curve(arch()));
+    EXPECT_EQ(curve(), Curve(singleArch()));
     tooLong.points.pop_back();
-    EXPECT_TRUE(document.change(kElevation, serial, tooLong, kMove));
+    EXPECT_TRUE(document.change(kElevationSheet, serial, tooLong, kMove));
 }
 
 TEST_F(OpenDocumentTest, clearingTheCanvasIsOneStep) {
-    document.add(kElevation, 1, arch(), {"New curve"});
+    document.add(kElevationSheet, 1, singleArch(), {"New curve"});
     QThreadPool workers;
-    SheetEditor editor(document, workers, kElevation);
+    SheetEditor editor(document, workers, kElevationSheet);
     const int before = steps();
     editor.clear();
-    EXPECT_TRUE(document.sheet(kElevation).curves.empty());
+    EXPECT_TRUE(document.sheet(kElevationSheet).curves.empty());
     EXPECT_EQ(steps(), before + 1);
     document.undo();
-    EXPECT_EQ(document.sheet(kElevation).curves.size(), 2u);
+    EXPECT_EQ(document.sheet(kElevationSheet).curves.size(), 2u);
 }
 
 TEST_F(OpenDocumentTest, aHistoryBelongsToItsSheet) {
-    document.change(kElevation, serial, withFirstAt({1, 1}), kMove);
+    document.change(kElevationSheet, serial, withFirstAt({1, 1}), kMove);
     document.setActiveSheet(1);
     document.undo();
     EXPECT_EQ(curve(), withFirstAt({1, 1}));
@@ -195,31 +195,32 @@ class Person {
         , random_(seed) {}
 
     void act() {
-        const Serial serial = any(document_.serials(kElevation));
+        const Serial serial = any(document_.serials(kElevationSheet));
         switch (below(10)) {
         case 0:
-            document_.add(kElevation, below(static_cast<int>(document_.serials(kElevation).size()) + 1), arch(),
-                          {"New curve"});
+            document_.add(kElevationSheet, below(static_cast<int>(document_.serials(kElevationSheet).size()) + 1),
+                          singleArch(), {"New curve"});
             break;
         case 1:
-            if (document_.serials(kElevation).size() > 1)
-                document_.remove(kElevation, serial, {"Delete the curve"});
+            if (document_.serials(kElevationSheet).size() > 1)
+                document_.remove(kElevationSheet, serial, {"Delete the curve"});
             break;
         case 2:
-            document_.reorder(kElevation, serial, below(static_cast<int>(document_.serials(kElevation).size())),
+            document_.reorder(kElevationSheet, serial,
+                              below(static_cast<int>(document_.serials(kElevationSheet).size())),
                               {"Reorder the curves"});
             break;
         case 3:
-            document_.change(kElevation, serial, moved(serial), kMove);
+            document_.change(kElevationSheet, serial, moved(serial), kMove);
             break;
         case 4:
-            document_.beginGesture(kElevation, serial, kMove);
+            document_.beginGesture(kElevationSheet, serial, kMove);
             document_.preview(moved(serial));
             document_.preview(moved(serial));
             below(2) == 0 ? document_.endGesture() : document_.cancelGesture();
             break;
         case 5:
-            document_.changeInBurst(kElevation, serial, moved(serial), {"Nudge"});
+            document_.changeInBurst(kElevationSheet, serial, moved(serial), {"Nudge"});
             break;
         case 6:
             document_.undo();
@@ -228,7 +229,7 @@ class Person {
             document_.redo();
             break;
         case 8:
-            document_.preview(moved(*document_.beginGestureWithNew(kElevation, 0, arch(), {"New curve"})));
+            document_.preview(moved(*document_.beginGestureWithNew(kElevationSheet, 0, singleArch(), {"New curve"})));
             below(2) == 0 ? document_.endGesture() : document_.cancelGesture();
             break;
         default:
@@ -245,7 +246,8 @@ class Person {
     }
     Curve moved(Serial serial) {
         const GripId id{GripKind::point, below(4)};
-        return withGripsMoved(*document_.find(kElevation, serial), std::span(&id, 1), {below(7) - 3.0, below(7) - 3.0});
+        return withGripsMoved(*document_.find(kElevationSheet, serial), std::span(&id, 1),
+                              {below(7) - 3.0, below(7) - 3.0});
     }
 
     OpenDocument& document_;
@@ -258,7 +260,7 @@ TEST_F(OpenDocumentTest, anySequenceCanBeUndoneAndRedoneByteForByte) {
     for (unsigned seed = 0; seed < sequences; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         Document start;
-        start.sheets[kElevation].curves = {arch()};
+        start.sheets[kElevationSheet].curves = {singleArch()};
         document.replace(start);
         Person person(document, seed);
         for (int i = 0; i < 50; ++i) {
@@ -266,18 +268,18 @@ TEST_F(OpenDocumentTest, anySequenceCanBeUndoneAndRedoneByteForByte) {
             ASSERT_EQ(document.isModified(), !sameContent(document.value(), person.saved()));
         }
         document.endGesture();
-        while (document.history(kElevation).canRedo())
+        while (document.history(kElevationSheet).canRedo())
             document.redo();
         const std::string end = writeDocument(document.value(), 0);
-        while (document.history(kElevation).canUndo())
+        while (document.history(kElevationSheet).canUndo())
             document.undo();
         Document undone = document.value();
-        undone.sheets[kElevation].view = {};
+        undone.sheets[kElevationSheet].view = {};
         ASSERT_EQ(writeDocument(undone), writeDocument(start));
-        while (document.history(kElevation).canRedo())
+        while (document.history(kElevationSheet).canRedo())
             document.redo();
         Document redone = document.value();
-        redone.sheets[kElevation].view = std::get<Document>(readDocument(end)).sheets[kElevation].view;
+        redone.sheets[kElevationSheet].view = std::get<Document>(readDocument(end)).sheets[kElevationSheet].view;
         ASSERT_EQ(writeDocument(redone, 0), end);
     }
 }

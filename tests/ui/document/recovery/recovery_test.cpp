@@ -17,12 +17,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr SheetIndex kElevation = 0;
-const StepLabel kStep{"Move point %1", 3};
+constexpr SheetIndex kSheet = 0;
+const StepLabel kEdit{"Move point %1", 3};
 constexpr int kPatience = 60'000; // ms until a signal that does not come is a failure
 
-Curve curveAt(double x) {
-    return withPointsAdded(emptyCurve(kElevation), Points{{x, 0}, {x, 1}, {2, 2}});
+Curve archAt(double x) {
+    return withPointsAdded(emptyCurve(kSheet), Points{{x, 0}, {x, 1}, {2, 2}});
 }
 
 /// A document whose unsaved work is kept in a folder of the test's own.
@@ -31,7 +31,7 @@ class RecoveryTest : public testing::Test {
     RecoveryTest() {
         qputenv("XDG_STATE_HOME", folder.path().toUtf8());
         Document start;
-        start.sheets[kElevation].curves = {curveAt(0)};
+        start.sheets[kSheet].curves = {archAt(0)};
         document.replace(start);
         begin({1ms, 5ms});
     }
@@ -46,7 +46,7 @@ class RecoveryTest : public testing::Test {
         recovery.emplace(document, *writer);
         written.emplace(&*writer, &RecoveryWriter::written);
     }
-    void change(double x) { document.change(kElevation, document.serials(kElevation)[0], curveAt(x), kStep); }
+    void change(double x) { document.change(kSheet, document.serials(kSheet)[0], archAt(x), kEdit); }
     [[nodiscard]] bool waitForWriting() { return written->wait(kPatience); }
     [[nodiscard]] bool settle() { return writer->finishWithin(60s); }
     /// Turns of the event loop, in which its clocks go.
@@ -104,21 +104,21 @@ TEST_F(RecoveryTest, whatIsUndoneIsNotKept) {
 }
 
 TEST_F(RecoveryTest, keepsThePreviewOfAGesture) {
-    document.beginGesture(kElevation, document.serials(kElevation)[0], kStep);
-    document.preview(curveAt(7));
+    document.beginGesture(kSheet, document.serials(kSheet)[0], kEdit);
+    document.preview(archAt(7));
     ASSERT_TRUE(waitForWriting());
-    EXPECT_EQ(onDisk().sheets[kElevation].curves[0], curveAt(7));
+    EXPECT_EQ(onDisk().sheets[kSheet].curves[0], archAt(7));
     EXPECT_TRUE(document.hasGesture());
     document.cancelGesture();
     waitUntilGone();
-    EXPECT_EQ(document.history(kElevation).count(), 0);
+    EXPECT_EQ(document.history(kSheet).count(), 0);
 }
 
 TEST_F(RecoveryTest, aGestureThatEndsWhereItBeganIsNotKept) {
-    document.beginGesture(kElevation, document.serials(kElevation)[0], kStep);
-    document.preview(curveAt(7));
+    document.beginGesture(kSheet, document.serials(kSheet)[0], kEdit);
+    document.preview(archAt(7));
     ASSERT_TRUE(waitForWriting());
-    document.preview(curveAt(0));
+    document.preview(archAt(0));
     document.endGesture();
     waitUntilGone();
     EXPECT_FALSE(document.isModified());
@@ -235,7 +235,7 @@ TEST_F(RecoveryTest, ofSeveralDocumentsEachHasItsOwn) {
     OpenDocument second;
     Recovery ofSecond(second, *writer);
     change(5);
-    second.add(kElevation, 0, curveAt(9), kStep);
+    second.add(kSheet, 0, archAt(9), kEdit);
     ofSecond.keep();
     recovery->keep();
     ASSERT_TRUE(settle());
