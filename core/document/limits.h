@@ -23,7 +23,7 @@ inline constexpr int kFitDegreeHigh = 9;
 inline constexpr std::size_t kReportedSegments = 20'000;
 inline constexpr std::size_t kReportedSchemePoints = 2'000'000; ///< of de Casteljau, of all curves of a sheet
 inline constexpr std::size_t kPasses = 1'000'000;               ///< in the crossings and overlaps of a sheet
-inline constexpr std::uint64_t kSteps = 80'000'000;             ///< of the search for them
+inline constexpr std::uint64_t kSteps = 72'000'000;             ///< of the search for them
 /// Of points in the interpolated runs of a sheet that is reported or drawn into a file: one takes some 4 microseconds.
 inline constexpr std::size_t kInterpolatedPairs = 1'000'000;
 /// Of the paths of combined curves, in the same: one takes some 15 microseconds.

@@ -52,16 +52,6 @@ FileError refusalFor(WorkEnd end) {
     return error;
 }
 
-Relations refused(WorkEnd end) {
-    Relations relations;
-    if (end == WorkEnd::tooMuchFound)
-        relations.results.push_back({Caption::passCount, "", MoreThan{static_cast<int>(limits::kPasses)}});
-    else
-        relations.results.push_back({Caption::crossingCount, "", Caption::tooManyToCount});
-    relations.refusal = refusalFor(end);
-    return relations;
-}
-
 PassedPlace passedPlace(const Crossing& crossing, bool isOfSeveral) {
     PassedPlace place{crossing.at, {}};
     for (const Pass& pass : crossing.passes)
@@ -98,6 +88,16 @@ std::optional<FileError> reportTogether(JsonWriter& json, std::span<const Spline
     return {};
 }
 
+Relations refusedRelations(WorkEnd end) {
+    Relations relations;
+    if (end == WorkEnd::tooMuchFound)
+        relations.results.push_back({Caption::passCount, "", MoreThan{static_cast<int>(limits::kPasses)}});
+    else
+        relations.results.push_back({Caption::crossingCount, "", Caption::tooManyToCount});
+    relations.refusal = refusalFor(end);
+    return relations;
+}
+
 std::optional<Relations> relationsOf(std::span<const SplineCurve* const> curves, WorkBudget& budget) {
     if (std::ranges::all_of(curves, [](const SplineCurve* curve) { return isIncomplete(*curve); }))
         return Relations();
@@ -105,7 +105,7 @@ std::optional<Relations> relationsOf(std::span<const SplineCurve* const> curves,
     if (budget.end() == WorkEnd::stopped)
         return {};
     if (!found)
-        return refused(*budget.end());
+        return refusedRelations(*budget.end());
     const Crossings& crossings = *found;
     Relations relations;
     relations.results.push_back({Caption::crossingCount, "", static_cast<int>(crossings.places.size())});

@@ -21,5 +21,7 @@ namespace kriva {
 /// The same for people: how many crossings and where, and marks for those of curves that are shown. Nothing where the
 /// budget was stopped.
 [[nodiscard]] std::optional<Relations> relationsOf(std::span<const SplineCurve* const> curves, WorkBudget& budget);
+/// What they are where the search ended without being stopped: the reason, for people and for files.
+[[nodiscard]] Relations refusedRelations(WorkEnd end);
 
 } // namespace kriva

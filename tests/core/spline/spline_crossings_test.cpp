@@ -1,4 +1,5 @@
 #include "core/document/document.h"
+#include "core/spline/spline_crossings.h"
 #include "tests/core/spline/spline_values.h"
 
 #include <gmock/gmock.h>
@@ -56,6 +57,40 @@ TEST(SplineRelations, areDrawnInTheFigureOfTheSheetUnlessTheLayerIsOff) {
     EXPECT_TRUE(hasMarks());
     sheet.view.layers = {{"crossings", false}};
     EXPECT_FALSE(hasMarks());
+}
+
+TEST(SplineRelations, thatTakeTooManyStepsAreRefusedByName) {
+    const Sheet sheet = sheetOf({kRising, kFalling, kUpright});
+    WorkBudget budget(100);
+    const std::optional<Relations> relations = relationsOf(sheet, 2, budget);
+    ASSERT_TRUE(relations) << "that it is too much is an answer";
+    ASSERT_TRUE(relations->refusal);
+    EXPECT_EQ(relations->refusal->problem, FileProblem::tooManyIntersections);
+    EXPECT_EQ(relations->refusal->place, "sheets.spline.curves");
+    ASSERT_THAT(relations->results, SizeIs(1));
+    EXPECT_EQ(std::get<Caption>(*relations->results[0].value), Caption::tooManyToCount);
+    EXPECT_TRUE(relations->figure.layers.empty());
+}
+
+TEST(SplineRelations, beyondTheirPassesAreRefusedWithTheLimit) {
+    const SplineCurve rising = std::get<SplineCurve>(kRising), falling = std::get<SplineCurve>(kFalling);
+    const std::vector<const SplineCurve*> curves{&rising, &falling};
+    WorkBudget enough;
+    EXPECT_TRUE(crossingsOf(curves, enough, 2));
+    WorkBudget budget;
+    EXPECT_FALSE(crossingsOf(curves, budget, 1));
+    EXPECT_EQ(budget.end(), WorkEnd::tooMuchFound);
+    const Relations relations = refusedRelations(WorkEnd::tooMuchFound);
+    EXPECT_EQ(relations.refusal->problem, FileProblem::tooManyPasses);
+    EXPECT_EQ(relations.refusal->numbers, std::vector<double>{1e6});
+    EXPECT_EQ(std::get<MoreThan>(*relations.results[0].value), MoreThan{1'000'000});
+}
+
+TEST(SplineRelations, areNoneWhereSomebodyStopsThem) {
+    std::stop_source stop;
+    stop.request_stop();
+    WorkBudget budget(WorkBudget::kUnlimited, stop.get_token());
+    EXPECT_FALSE(relationsOf(sheetOf({kRising, kFalling}), 2, budget));
 }
 
 } // namespace

@@ -23,5 +23,25 @@ TEST(WorkBudget, endsWhereSomebodyAsksIt) {
     EXPECT_EQ(budget.end(), WorkEnd::stopped);
 }
 
+TEST(WorkBudget, mayEndForAReasonOfTheWork) {
+    WorkBudget budget;
+    budget.endFor(WorkEnd::tooMuchFound);
+    EXPECT_FALSE(budget.spend());
+    budget.endFor(WorkEnd::stopped);
+    EXPECT_EQ(budget.end(), WorkEnd::tooMuchFound) << "the first reason stays";
+}
+
+TEST(WorkBudget, countsWhatIsAskedForAfterTheEndToo) {
+    WorkBudget budget(3);
+    EXPECT_TRUE(budget.spend(3));
+    EXPECT_FALSE(budget.spend(2));
+    EXPECT_FALSE(budget.spend(2));
+    EXPECT_EQ(budget.spent(), 7U);
+}
+
+TEST(WorkBudget, ofNoLimitGivesWhatTheWorkMakes) {
+    EXPECT_EQ(withoutLimit([](WorkBudget& budget) { return budget.spend() ? std::optional(5) : std::nullopt; }), 5);
+}
+
 } // namespace
 } // namespace kriva
