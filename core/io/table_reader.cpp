@@ -1,8 +1,8 @@
 #include "core/io/table_reader.h"
 
 #include "core/document/limits.h"
-#include "core/io/typed_number.h"
 #include "core/document/text/utf8.h"
+#include "core/io/typed_number.h"
 
 #include <algorithm>
 #include <array>
