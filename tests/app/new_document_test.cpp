@@ -16,9 +16,9 @@ TEST_P(NewDocument, staysInTheTabAndTakesNoPointByAccident) {
     QApplication::processEvents();
     EXPECT_EQ(document().value().active, GetParam());
     EXPECT_TRUE(canvas.isVisible());
-    for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
-        EXPECT_TRUE(document().sheet(sheet).curves.empty());
-        EXPECT_EQ(window.window.tab(sheet).canvas().tool(), Tool::edit);
+    for (SheetIndex i = 0; i < kSheetCount; ++i) {
+        EXPECT_TRUE(document().sheet(i).curves.empty());
+        EXPECT_EQ(window.window.tab(i).canvas().tool(), Tool::edit);
     }
     EXPECT_TRUE(action("editTool").isChecked());
     click({1, 1});
