@@ -14,7 +14,7 @@ namespace {
 constexpr qint64 kQuick = 2'000'000;
 
 /// What was quick may be long all of a sudden: after these steps, a frame at most, it goes on elsewhere.
-constexpr std::uint64_t kQuickSteps = 16'000;
+constexpr std::uint64_t kQuickSteps = 100'000;
 
 } // namespace
 

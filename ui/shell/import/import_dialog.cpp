@@ -20,7 +20,7 @@ constexpr double kLeastScale = 1e-6;
 constexpr double kMostScale = 1e6;
 
 /// Of the preview, which is drawn at every change: crossings that take longer are left out.
-constexpr std::uint64_t kPreviewSteps = 50'000;
+constexpr std::uint64_t kPreviewSteps = 500'000;
 
 } // namespace
 
