@@ -70,7 +70,7 @@ std::vector<Chain> folded(std::size_t count) {
 }
 
 std::vector<std::vector<Chain>> longWork() {
-    return {star(40), grid(20), copies(kWave, 12), copies({{0, 0}, {7, 3}}, 12), nearlyOne(3), folded(3)};
+    return {star(40), grid(20), copies(kWave, 4), copies({{0, 0}, {7, 3}}, 4), nearlyOne(2), folded(1)};
 }
 
 struct Outcome {
