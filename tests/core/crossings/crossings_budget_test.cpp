@@ -24,7 +24,7 @@ std::vector<SegmentChain> chainsOf(const std::vector<Chain>& curves) {
     return chains;
 }
 
-Chain line(Point from, Point to) {
+Chain lineChain(Point from, Point to) {
     return {{from, to}};
 }
 
@@ -34,7 +34,7 @@ std::vector<Chain> star(int count) {
     for (int i = 0; i < count; ++i) {
         const double angle = std::numbers::pi * i / count;
         const Vector way{std::cos(angle), std::sin(angle)};
-        curves.push_back(line(Point{} - way, Point{} + way));
+        curves.push_back(lineChain(Point{} - way, Point{} + way));
     }
     return curves;
 }
@@ -44,8 +44,8 @@ std::vector<Chain> grid(int count) {
     std::vector<Chain> curves;
     for (int i = 0; i < count; ++i) {
         const double at = i;
-        curves.push_back(line({at, -1}, {at, static_cast<double>(count)}));
-        curves.push_back(line({-1, at}, {static_cast<double>(count), at}));
+        curves.push_back(lineChain({at, -1}, {at, static_cast<double>(count)}));
+        curves.push_back(lineChain({-1, at}, {static_cast<double>(count), at}));
     }
     return curves;
 }
@@ -161,11 +161,11 @@ TEST(CrossingsBudget, aMillionPassesAreFoundAndOneMoreIsTooMany) {
     std::vector<Chain> curves = grid(707); // 999,698 passes
     for (int i = 0; i < 151; ++i)          // and 302 more, each in a place of its own far away
         for (const double side : {-1.0, 1.0})
-            curves.push_back(line({-10.0 - 3 * i, side}, {-9.0 - 3 * i, -side}));
+            curves.push_back(lineChain({-10.0 - 3 * i, side}, {-9.0 - 3 * i, -side}));
     EXPECT_EQ(passCount(findCrossings(chainsOf(curves))), kMost);
     EXPECT_TRUE(outcomeOf(curves, WorkBudget::kUnlimited, kMost).found);
-    curves.push_back(line({-10, 1.5}, {-9, 1.5})); // meets nothing
-    curves.push_back(line({-9.75, 1}, {-9.75, 2}));
+    curves.push_back(lineChain({-10, 1.5}, {-9, 1.5})); // meets nothing
+    curves.push_back(lineChain({-9.75, 1}, {-9.75, 2}));
     EXPECT_EQ(outcomeOf(curves, WorkBudget::kUnlimited, kMost).end, WorkEnd::tooMuchFound);
 }
 
