@@ -76,7 +76,7 @@ TEST(Clip, tellsWhyItIsRefused) {
     EXPECT_EQ(refusalOf(clip), QStringLiteral("The clipboard: line 1, column 7: this is no path data"));
     clip.setData(kOwn, R"({"format":"kriva-fragment","version":1,"content":"points","sheet":"combined",)"
                        R"("curve":{"points":[[0,0],[1,"2"]]}})");
-    EXPECT_EQ(refusalOf(clip), QStringLiteral("The clipboard: curve.points[1]: expected two finite numbers"));
+    EXPECT_EQ(refusalOf(clip), QStringLiteral("The clipboard: its curve cannot be read: expected two finite numbers"));
 }
 
 } // namespace
