@@ -21,8 +21,8 @@ using namespace Qt::StringLiterals;
 namespace kriva::ui {
 namespace {
 
-constexpr int kPatience = 120'000; // ms until what does not come is a failure
-constexpr int kPromise = 10'000;   // ms of work that may be lost
+constexpr int kLongestEnding = 120'000; // ms until what does not come is a failure
+constexpr int kPromise = 10'000;        // ms of work that may be lost
 
 /// The editor with somebody at work in it, see edited_kriva.cpp, in a home of its own.
 class EditedKriva {
@@ -47,7 +47,7 @@ class EditedKriva {
     /// Reads on until it prints this line.
     bool waitFor(const QByteArray& line) {
         while (!lines_.contains(line)) {
-            if (!process_.canReadLine() && !process_.waitForReadyRead(kPatience))
+            if (!process_.canReadLine() && !process_.waitForReadyRead(kLongestEnding))
                 return false;
             takeLines();
         }
@@ -55,7 +55,7 @@ class EditedKriva {
     }
     void end(int signal) {
         ::kill(static_cast<pid_t>(process_.processId()), signal);
-        EXPECT_TRUE(process_.waitForFinished(kPatience)) << "it goes on";
+        EXPECT_TRUE(process_.waitForFinished(kLongestEnding)) << "it goes on";
         takeLines();
     }
     void takeLines() {
@@ -180,7 +180,7 @@ INSTANTIATE_TEST_SUITE_P(While, EndedBy,
                          [](const auto& tested) {
                              const char* signal = tested.param.signal == SIGTERM  ? "Sigterm"
                                                   : tested.param.signal == SIGINT ? "Sigint"
-                                                                                : "Sighup";
+                                                                                  : "Sighup";
                              return std::string(signal) + "_" + tested.param.how;
                          });
 
