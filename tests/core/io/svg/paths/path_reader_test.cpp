@@ -88,7 +88,7 @@ TEST(PathReader, hasALimitOfPieces) {
         data += "h1";
     EXPECT_TRUE(std::holds_alternative<std::vector<Path>>(readPathData(data)));
     const auto refused = readPathData(data + "h1");
-    EXPECT_EQ(std::get<FileError>(refused).problem, FileProblem::tooMany);
+    EXPECT_EQ(std::get<FileError>(refused).problem, FileProblem::tooManyPoints);
 }
 
 TEST(PathReader, drawsArcsAsTheStandardSays) {
