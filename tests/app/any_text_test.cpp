@@ -63,6 +63,7 @@ TEST_F(AnyText, typedOrPastedAsTheNameOfACurveIsReadAgain) {
     auto* list = tab().findChild<QListView*>(QStringLiteral("curves"));
     ASSERT_NE(list, nullptr);
     for (const QString& text : kindsOfText()) {
+        tab().editor().renameCurve(tab().editor().activeSerial(), QStringLiteral("before"));
         list->setCurrentIndex(list->model()->index(0, 0));
         list->edit(list->currentIndex());
         auto* field = list->findChild<QLineEdit*>();
@@ -72,7 +73,11 @@ TEST_F(AnyText, typedOrPastedAsTheNameOfACurveIsReadAgain) {
         field->paste();
         QTest::keyClick(field, Qt::Key_Return);
         QApplication::processEvents();
-        EXPECT_TRUE(isUtf8(nameOf(tab().editor().sheet().curves[0])));
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        ASSERT_EQ(list->findChild<QLineEdit*>(), nullptr) << "the name is still being edited";
+        const std::string& name = nameOf(tab().editor().sheet().curves[0]);
+        EXPECT_NE(name, "before");
+        EXPECT_TRUE(isUtf8(name));
         expectToOpenAgain();
     }
 }

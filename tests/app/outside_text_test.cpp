@@ -189,7 +189,7 @@ TEST_F(OutsideText, pastedIsRefusedWithThePlaceInItAndNoPathIntoADocument) {
         return window.window.findChild<QLabel*>(QStringLiteral("hint"))->text();
     };
     EXPECT_EQ(pasted(QStringLiteral("M0 0L1 1X")),
-              QStringLiteral("The clipboard: line 1, column 9: this is no path data"));
+              QStringLiteral("The clipboard: line 1, column 10: this is no path data"));
     EXPECT_EQ(pasted(QStringLiteral("<svg>\n<path d='M0 0L1e10 1'/></svg>")),
               QStringLiteral("The clipboard: line 2, column 2: the attribute “d” leads beyond the coordinates from "
                              "-1000000000 to 1000000000"));
@@ -208,6 +208,7 @@ TEST_F(OutsideText, pastedIsRefusedWithThePlaceInItAndNoPathIntoADocument) {
 }
 
 TEST_F(OutsideText, ofImportedPathsIsShownLetterByLetter) {
+    const LanguageSwitch language(Language::English); // "2 points"
     const QString html = trap_.htmlWithoutQuotes().toHtmlEscaped();
     const QString svg = QStringLiteral("<svg xmlns:inkscape='i'><g inkscape:label='%1' id='%1'><path d='M0 0h1'/>"
                                        "<path inkscape:label='%1&#x202e;' id='%1' d='M0 0h1'/></g></svg>")

@@ -168,7 +168,8 @@ TEST(ErrorText, ofAReportNamesTheSheetAndTheLimit) {
     document.sheets[kSpline].curves = {spline};
     const std::optional<FileError> error = reportLimitError(document, {});
     ASSERT_TRUE(error);
-    EXPECT_EQ(sentence(*error), "sheets.spline.curves: a report takes at most 20000 segments of a sheet, and these are 20001");
+    EXPECT_EQ(sentence(*error),
+              "sheets.spline.curves: a report takes at most 20000 segments of a sheet, and these are 20001");
 }
 
 TEST(ErrorText, isShortHoweverLongANameIs) {
