@@ -117,7 +117,7 @@ void expectYoungEnough(EditedKriva& kriva, const char* what) {
 
 TEST(Ending, aKillAtAnyMomentLosesTenSecondsAtMost) {
     const int kills = test::isLongRun() ? 50 : 6;
-    constexpr int kAtOnce = 5; // each mostly waits
+    constexpr int kAtOnce = 10; // each mostly waits
     std::mt19937 random(20260202);
     for (int done = 0; done < kills;) {
         std::vector<std::unique_ptr<QTemporaryDir>> homes;

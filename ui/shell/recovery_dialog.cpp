@@ -48,7 +48,8 @@ RecoveryDialog::RecoveryDialog(std::span<const FoundRecovery> found, QWidget* pa
     : QDialog(parent)
     , title_(new PlainLabel(this))
     , text_(new PlainLabel(this))
-    , buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
+    , goOn_(new QPushButton(this))
+    , later_(new QPushButton(this)) {
     setObjectName(QStringLiteral("recovery"));
     setWindowIcon(applicationIcon());
     setBold(*title_, 1.3);
@@ -63,10 +64,16 @@ RecoveryDialog::RecoveryDialog(std::span<const FoundRecovery> found, QWidget* pa
     layout->addWidget(title_, 0, 1);
     layout->addWidget(text_, 1, 1);
     layout->addWidget(makeRows(found), 2, 1);
-    layout->addWidget(buttons_, 3, 0, 1, 2);
+    auto* buttons = new QDialogButtonBox(this);
+    buttons->addButton(goOn_, QDialogButtonBox::AcceptRole);
+    buttons->addButton(later_, QDialogButtonBox::RejectRole);
+    goOn_->setObjectName(QStringLiteral("goOn"));
+    goOn_->setDefault(true);
+    later_->setObjectName(QStringLiteral("later"));
+    layout->addWidget(buttons, 3, 0, 1, 2);
     layout->setRowStretch(2, 1);
-    connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     retranslateUi();
 }
 
@@ -162,8 +169,8 @@ void RecoveryDialog::retranslateUi() {
     setWindowTitle(tr("Recover unsaved work"));
     title_->setText(tr("Kriva ended before this was saved"));
     text_->setText(tr("What is recovered opens in a window of its own and is written to its file only when you save."));
-    buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Continue"));
-    buttons_->button(QDialogButtonBox::Cancel)->setText(tr("Ask &later about all"));
+    goOn_->setText(tr("&Continue"));
+    later_->setText(tr("Ask &later about all"));
     for (const Row& row : rows_)
         retranslate(row);
 }

@@ -7,8 +7,8 @@
 #include <span>
 
 class QComboBox;
-class QDialogButtonBox;
 class QLabel;
+class QPushButton;
 
 namespace kriva::ui {
 
@@ -44,7 +44,8 @@ class RecoveryDialog : public QDialog {
     QLabel* title_;
     QLabel* text_;
     std::vector<Row> rows_;
-    QDialogButtonBox* buttons_;
+    QPushButton* goOn_;
+    QPushButton* later_;
 };
 
 } // namespace kriva::ui
