@@ -12,7 +12,7 @@ class NewDocument : public test::GestureTest, public testing::TestWithParam<Shee
 
 TEST_P(NewDocument, staysInTheTabAndTakesNoPointByAccident) {
     canvas.setTool(Tool::add);
-    action("newDocument").trigger();
+    action("new").trigger();
     QApplication::processEvents();
     EXPECT_EQ(document().value().active, GetParam());
     EXPECT_TRUE(canvas.isVisible());

@@ -83,7 +83,7 @@ CurvesPanel::CurvesPanel(SheetEditor& editor, QWidget* parent)
 }
 
 void CurvesPanel::connectButtons() {
-    connect(add_, &QToolButton::clicked, &editor_, &SheetEditor::newCurve);
+    connect(add_, &QToolButton::clicked, &editor_, &SheetEditor::beginCurve);
     connect(duplicate_, &QToolButton::clicked, this, [this] { editor_.duplicateCurve(editor_.activeSerial()); });
     connect(delete_, &QToolButton::clicked, this, [this] { editor_.deleteCurve(editor_.activeSerial()); });
     connect(up_, &QToolButton::clicked, this,

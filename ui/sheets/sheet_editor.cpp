@@ -178,9 +178,18 @@ bool SheetEditor::closeAt(const GripRef& point) {
     return true;
 }
 
-void SheetEditor::newCurve() {
-    if (addCurve(emptyCurve(index()), {QT_TRANSLATE_NOOP("Step", "New curve")}))
+bool SheetEditor::newCurve() {
+    return addCurve(emptyCurve(index()), {QT_TRANSLATE_NOOP("Step", "New curve")});
+}
+
+void SheetEditor::beginCurve() {
+    if (newCurve())
         Q_EMIT drawingBegun();
+}
+
+void SheetEditor::beginAnew() {
+    clear();
+    Q_EMIT drawingBegun();
 }
 
 bool SheetEditor::addCurve(Curve curve, const StepLabel& label) {
@@ -251,7 +260,6 @@ void SheetEditor::clear() {
     for (const Serial serial : std::vector<Serial>(document().serials(index())))
         deleteCurve(serial);
     history.endMacro();
-    Q_EMIT drawingBegun();
 }
 
 } // namespace kriva::ui

@@ -47,7 +47,10 @@ class SheetEditor : public ShownSheet {
     bool closeAt(const GripRef& point);
 
     // Curves.
-    void newCurve();
+    /// False where it is refused.
+    bool newCurve();
+    /// The same, and what a person draws next is drawn there.
+    void beginCurve();
     /// Above the others; false where it is refused.
     bool addCurve(Curve curve, const StepLabel& label);
     /// In one step; false where they are refused.
@@ -65,6 +68,8 @@ class SheetEditor : public ShownSheet {
     void setActiveCurveShown(bool isShown);
     /// Deletes all curves in one step.
     void clear();
+    /// The same, to draw anew.
+    void beginAnew();
 
   Q_SIGNALS:
     /// Something worth telling in the status row happened.

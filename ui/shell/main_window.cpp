@@ -156,12 +156,12 @@ void MainWindow::connectEditActions() {
     connect(actions_->deleteSelected, &QAction::triggered, this,
             [this] { currentTab().editor().removeSelected(Removal::refitted); });
     onEditor(actions_->deleteLastPoint, &SheetEditor::removeLastPoint);
-    onEditor(actions_->clearCanvas, &SheetEditor::clear);
+    onEditor(actions_->clearCanvas, &SheetEditor::beginAnew);
     onEditor(actions_->selectAll, &SheetEditor::selectAll);
     onEditor(actions_->selectNone, &SheetEditor::selectNone);
     onEditor(actions_->selectInverse, &SheetEditor::invertSelection);
     connect(actions_->insertPoint, &QAction::triggered, this, [this] { currentTab().insertPointHere(); });
-    onEditor(actions_->newCurve, &SheetEditor::newCurve);
+    onEditor(actions_->newCurve, &SheetEditor::beginCurve);
     onEditor(actions_->nextCurve, &SheetEditor::activateNextCurve);
     onEditor(actions_->reverseCurve, &SheetEditor::reverse);
     onActiveCurve(actions_->duplicateCurve, &SheetEditor::duplicateCurve);

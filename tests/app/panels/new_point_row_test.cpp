@@ -351,7 +351,7 @@ class NewPointInEachTab : public NewPointRow, public testing::WithParamInterface
 };
 
 TEST_P(NewPointInEachTab, isOneStep) {
-    clickBlankSpace();
+    editor().selectNone(); // some tables are longer than their panel
     type("2,5");
     press(Qt::Key_Tab);
     type("-1e-3");

@@ -15,7 +15,8 @@ bool turnWheel(QWidget& widget, int angle) {
     const QPointF at = QRectF(widget.rect()).center();
     QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, angle}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
                       false);
-    QApplication::sendEvent(&widget, &event);
+    QSpontaneKeyEvent::setSpontaneous(&event); // as the system sends it: only then it goes on from child to parent
+    qApp->notify(&widget, &event);
     QApplication::processEvents();
     return event.isAccepted();
 }
@@ -75,9 +76,7 @@ TEST_P(WheelInEachTab, turnsTheSliderThatHasTheFocus) {
 
 TEST_P(WheelInEachTab, scrollsThePanelOverAFieldWithoutFocus) {
     auto& area = panel<PropertiesArea>("properties");
-    auto* dock = tab.findChild<QDockWidget*>(QStringLiteral("properties"));
-    dock->setFloating(true);
-    dock->resize(dock->width(), 120);
+    shell.window.resize(shell.window.width(), 380);
     QApplication::processEvents();
     ASSERT_GT(area.verticalScrollBar()->maximum(), 0);
     tab.canvas().setFocus();
