@@ -164,7 +164,7 @@ TEST_P(ClipboardTest, badTextIsRefusedInOneLineThatNamesThePlace) {
          {std::pair{"", "The clipboard: there are no points"},
           {"1\t2\nthree\t4", "The clipboard: line 2, column 1: “three” is no number"},
           {"1\t2\t3", "The clipboard: line 1, column 5: expected two numbers"},
-          {"2e9\t0", "The clipboard: line 1: “2e9” is not from -1000000000 to 1000000000"}}) {
+          {"2e9\t0", "The clipboard: line 1, column 1: “2e9” is not from -1000000000 to 1000000000"}}) {
         setText(table);
         key(Qt::Key_V);
         EXPECT_EQ(told(), QString::fromUtf8(line));
