@@ -106,12 +106,14 @@ QWidget* RecoveryDialog::makeRows(std::span<const FoundRecovery> found) {
     for (const Row& row : rows_)
         retranslate(row);
     area->setMinimumSize(inside->sizeHint().width() + 2 * kRowGap, std::min(inside->sizeHint().height() + 2, kTallest));
+    area->setMaximumHeight(inside->sizeHint().height() + 2);
     return area;
 }
 
 RecoveryDialog::Row RecoveryDialog::makeRow(const FoundRecovery& found, QWidget* parent) const {
     Row row{&found, new PlainLabel(parent), new PlainLabel(parent), nullptr, new QComboBox(parent)};
     setBold(*row.name);
+    row.choice->setSizeAdjustPolicy(QComboBox::AdjustToContents); // its words come later, and change
     row.place->setMinimumWidth(kPlaceWidth);
     if (found.state != RecoveryState::Whole)
         row.damage = new PlainLabel(parent);
