@@ -39,7 +39,8 @@ void press(benchmark::State& state, const Curve& curve, Key measured) {
     ui::SheetTab& tab = shell.shown(curve.index());
     shell.window.document().replace(documentOf(curve));
     settle();
-    QTest::mouseMove(tab.canvas().viewport(), tab.canvas().viewport()->rect().center()); // what is under it is told anew
+    QTest::mouseMove(tab.canvas().viewport(),
+                     tab.canvas().viewport()->rect().center()); // what is under it is told anew
     double largest = 0;
     const auto tell = [&](double seconds) {
         largest = std::max(largest, seconds);
