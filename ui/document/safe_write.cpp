@@ -140,7 +140,7 @@ struct Target {
 template <class Make>
 [[nodiscard]] QByteArray underTemporaryName(Make make) {
     for (int i = 0; i < kMostNames; ++i) {
-        const QByteArray name = temporaryName();
+        QByteArray name = temporaryName();
         if (make(name.constData()) >= 0)
             return name;
         if (errno != EEXIST)

@@ -41,7 +41,8 @@ std::pair<int, int> differingRows(const Points& before, const Points& now) {
 PointsModel::PointsModel(SheetEditor& editor, std::vector<PointColumn> columns, QObject* parent)
     : QAbstractTableModel(parent)
     , editor_(editor)
-    , columns_(std::move(columns)) {
+    , columns_(std::move(columns))
+    , serial_(editor.activeSerial()) {
     // Another curve may have the same points with other joins. What was begun for a curve is no point of another one.
     const auto followAll = [this] {
         const Serial active = editor_.activeSerial();
@@ -64,7 +65,6 @@ PointsModel::PointsModel(SheetEditor& editor, std::vector<PointColumn> columns, 
         if (sheet == editor_.index())
             follow();
     });
-    serial_ = editor.activeSerial();
     follow();
 }
 

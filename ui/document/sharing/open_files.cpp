@@ -12,7 +12,7 @@ namespace {
 /// The same for every name of a file. One that is not there yet has the name that it will have.
 [[nodiscard]] QString canonicalPath(const QString& path) {
     const QFileInfo file(path);
-    const QString canonical = file.canonicalFilePath();
+    QString canonical = file.canonicalFilePath();
     if (!canonical.isEmpty())
         return canonical;
     const QString folder = QFileInfo(file.absolutePath()).canonicalFilePath();
