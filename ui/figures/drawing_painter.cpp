@@ -17,6 +17,9 @@ namespace {
 /// caps hide the seams.
 constexpr int kPiecesOfRaster = 64;
 
+/// Dashes have no caps that would: they are cut only where there are more points than anyone can see the seams of.
+constexpr std::size_t kMostWholeDashes = 2'000;
+
 class DrawingPainter {
   public:
     DrawingPainter(QPainter& painter, const Drawing& drawing, double unit)
@@ -52,7 +55,8 @@ class DrawingPainter {
         pen.setJoinStyle(Qt::RoundJoin);
         pen.setCapStyle(style.dashes.empty() ? Qt::RoundCap : Qt::FlatCap);
         painter_.setOpacity(stroke.strength);
-        const bool mayBeCut = isRaster_ && style.dashes.empty() && stroke.strength == 1;
+        const bool hasFewDashes = !style.dashes.empty() && stroke.path.points.size() <= kMostWholeDashes;
+        const bool mayBeCut = isRaster_ && !hasFewDashes && stroke.strength == 1;
         const int most = mayBeCut ? kPiecesOfRaster : std::numeric_limits<int>::max();
         QPainterPath path;
         int pieces = 0;
@@ -60,6 +64,8 @@ class DrawingPainter {
         forEachDrawnPiece(stroke.path, drawing_.page, [&](std::span<const Point> piece) {
             if (pieces == most) {
                 painter_.strokePath(path, pen);
+                if (!style.dashes.empty()) // which go on where they were
+                    pen.setDashOffset(pen.dashOffset() + path.length() / pen.widthF());
                 path = QPainterPath();
                 pieces = 0;
                 isWhole = false;

@@ -11,6 +11,8 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
+#include <cstdlib>
+
 namespace kriva::ui {
 namespace {
 
@@ -62,6 +64,33 @@ TEST(Png, liesWithinAPixelOfTheExactCurve) {
         EXPECT_LE(found.distance, 1);
         EXPECT_TRUE(found.isWhole);
     }
+}
+
+TEST(Png, dashesGoOnWhereALongLineIsCut) {
+    constexpr int kPieces = 5'000;
+    const auto pictureOf = [](const Points& points) {
+        Drawing drawing;
+        Stroke line{polyline(points), Role::curve};
+        line.style.dash = LineDash::dashed;
+        drawing.figure.layers = {{"curve", {line}}};
+        drawing.page = pageOf(boxOf(drawing.figure));
+        return QImage::fromData(writePng(drawing, textSource(), 150));
+    };
+    Points cut;
+    for (int i = 0; i <= kPieces; ++i)
+        cut.push_back({100.0 * i / kPieces, 30.0 * i / kPieces});
+    const QImage whole = pictureOf({cut.front(), cut.back()});
+    const QImage inParts = pictureOf(cut);
+    ASSERT_EQ(inParts.size(), whole.size());
+    int ink = 0, others = 0;
+    for (int y = 0; y < whole.height(); ++y)
+        for (int x = 0; x < whole.width(); ++x) {
+            const int gray = qGray(whole.pixel(x, y));
+            ink += gray < 128 ? 1 : 0;
+            others += std::abs(gray - qGray(inParts.pixel(x, y))) > 100 ? 1 : 0;
+        }
+    EXPECT_GT(ink, 500);
+    EXPECT_LT(others, ink / 100) << "a dash is where the line had a gap";
 }
 
 TEST(Png, hasTheSizeOfThePageAtItsResolution) {
