@@ -172,9 +172,11 @@ std::string alignments(const Table& table) {
 std::string writeDelimited(const Table& table, const TextSource& texts, char separator) {
     std::string text;
     std::vector<std::string> fields;
+    std::vector<bool> isOfPairs; // of each column: every row would be looked through again for each field
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const std::string name = nameOf(table.columns[i], texts);
-        if (hasPairs(table, i))
+        isOfPairs.push_back(hasPairs(table, i));
+        if (isOfPairs[i])
             fields.insert(fields.end(), {name + " x", name + " y"});
         else
             fields.push_back(name);
@@ -183,7 +185,7 @@ std::string writeDelimited(const Table& table, const TextSource& texts, char sep
     for (const std::vector<TableCell>& row : table.rows) {
         fields.clear();
         for (std::size_t i = 0; i < row.size(); ++i)
-            addFields(fields, row[i], hasPairs(table, i), texts);
+            addFields(fields, row[i], isOfPairs[i], texts);
         addRecord(text, fields, separator);
     }
     return text;
