@@ -9,16 +9,25 @@
 #include <QPainterPath>
 
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace kriva::ui {
 namespace {
 
 /// A raster strokes a path as one shape, whose cost grows faster than its length: it gets so many pieces at once. Round
 /// caps hide the seams.
-constexpr int kPiecesOfRaster = 64;
+constexpr std::size_t kPiecesOfRaster = 64;
+constexpr double kLengthOfRaster = 1'000; // pixels, of a path of many points: lines that cross each other are slow
+
+constexpr double kAnyLength = std::numeric_limits<double>::infinity();
 
 /// Dashes have no caps that would: they are cut only where there are more points than anyone can see the seams of.
 constexpr std::size_t kMostWholeDashes = 2'000;
+
+/// As many marks of a raster as are all painted. Of more, those in a pixel that has one already are left out: nobody
+/// sees them, and each takes as long as a hundred points of a line.
+constexpr std::size_t kMostWholeMarks = 2'000;
 
 class DrawingPainter {
   public:
@@ -35,8 +44,13 @@ class DrawingPainter {
         painter_.setOpacity(1);
         for (const Marks& marks : layer.marks) {
             const RoleStyle style = styleOf(marks, drawing_.theme);
-            for (const Point p : marks.at)
-                paintMark(painter_, style, place(p), pointSize());
+            std::set<std::pair<int, int>> taken;
+            for (const Point p : marks.at) {
+                const QPointF at = place(p);
+                const bool mayBeLeftOut = isRaster_ && marks.at.size() > kMostWholeMarks;
+                if (!mayBeLeftOut || taken.emplace(qFloor(at.x()), qFloor(at.y())).second)
+                    paintMark(painter_, style, at, pointSize());
+            }
         }
         for (const PlacedLabel& label : labels) {
             painter_.setPen(toQt(labelColor(label.role, drawing_.theme)));
@@ -57,22 +71,25 @@ class DrawingPainter {
         painter_.setOpacity(stroke.strength);
         const bool hasFewDashes = !style.dashes.empty() && stroke.path.points.size() <= kMostWholeDashes;
         const bool mayBeCut = isRaster_ && !hasFewDashes && stroke.strength == 1;
-        const int most = mayBeCut ? kPiecesOfRaster : std::numeric_limits<int>::max();
+        const double longest = stroke.path.points.size() > kPiecesOfRaster ? kLengthOfRaster : kAnyLength;
         QPainterPath path;
-        int pieces = 0;
+        std::size_t pieces = 0;
+        double length = 0;
         bool isWhole = true;
         forEachDrawnPiece(stroke.path, drawing_.page, [&](std::span<const Point> piece) {
-            if (pieces == most) {
+            if (mayBeCut && (pieces == kPiecesOfRaster || length > longest)) {
                 painter_.strokePath(path, pen);
                 if (!style.dashes.empty()) // which go on where they were
                     pen.setDashOffset(pen.dashOffset() + path.length() / pen.widthF());
                 path = QPainterPath();
                 pieces = 0;
+                length = 0;
                 isWhole = false;
             }
             if (pieces++ == 0)
                 path.moveTo(onPainter(piece.front()));
             add(path, piece);
+            length += QLineF(onPainter(piece.front()), onPainter(piece.back())).length();
         });
         if (stroke.path.isClosed && isWhole)
             path.closeSubpath();
