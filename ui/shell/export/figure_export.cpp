@@ -8,7 +8,7 @@
 #include "ui/figures/print_drawing.h"
 #include "ui/sheets/sheet_editor.h"
 #include "ui/shell/export/export_dialog.h"
-#include "ui/shell/long_work.h"
+#include "ui/shell/export/long_work.h"
 #include "ui/shell/message_box.h"
 
 #include <QClipboard>

@@ -1,4 +1,4 @@
-#include "ui/shell/long_work.h"
+#include "ui/shell/export/long_work.h"
 
 #include "ui/shell/look/plain_label.h"
 
