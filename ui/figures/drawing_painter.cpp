@@ -19,10 +19,9 @@ namespace {
 /// caps hide the seams.
 constexpr std::size_t kPiecesOfRaster = 64;
 constexpr double kLengthOfRaster = 1'000; // pixels, of a path of many points: lines that cross each other are slow
-
 constexpr double kAnyLength = std::numeric_limits<double>::infinity();
 
-/// Dashes have no caps that would: they are cut only where there are more points than anyone can see the seams of.
+/// Dashes have no caps to hide a seam: they are cut only where there are more points than anyone can tell apart.
 constexpr std::size_t kMostWholeDashes = 2'000;
 
 /// As many marks of a raster as are all painted. Of more, those in a pixel that has one already are left out: nobody

@@ -93,6 +93,29 @@ TEST(Png, dashesGoOnWhereALongLineIsCut) {
     EXPECT_LT(others, ink / 100) << "a dash is where the line had a gap";
 }
 
+TEST(Png, marksThatAreLeftOutAreNotMissed) {
+    const auto pictureOf = [](int count) {
+        Drawing drawing;
+        Points places;
+        for (int i = 0; i <= count; ++i)
+            places.push_back({100.0 * i / count, 30.0 * i / count});
+        drawing.figure.layers = {{"points", {}, {{places, Role::point}}}};
+        drawing.page = pageOf(boxOf(drawing.figure));
+        return QImage::fromData(writePng(drawing, textSource(), 150));
+    };
+    const QImage all = pictureOf(1'500); // each is painted, half a pixel from the one before
+    const QImage fewer = pictureOf(6'000);
+    ASSERT_EQ(fewer.size(), all.size());
+    int ink = 0, others = 0;
+    for (int y = 0; y < all.height(); ++y)
+        for (int x = 0; x < all.width(); ++x) {
+            ink += qGray(all.pixel(x, y)) < 250 ? 1 : 0;
+            others += (qGray(all.pixel(x, y)) < 250) != (qGray(fewer.pixel(x, y)) < 250) ? 1 : 0;
+        }
+    EXPECT_GT(ink, 2'000);
+    EXPECT_LT(others, ink / 10) << "the outline of all of them";
+}
+
 TEST(Png, hasTheSizeOfThePageAtItsResolution) {
     Drawing drawing = drawingOfCurve(kLoop);
     const QImage picture = QImage::fromData(writePng(drawing, textSource(), 300));
