@@ -91,7 +91,8 @@ ExitCode report(const ReportRequest& request) {
     const auto json = reportJson(*document, name, request.sheet);
     if (const FileError* error = std::get_if<FileError>(&json))
         return refuse(*error);
-    return printOut(QByteArray::fromStdString(std::get<std::string>(json)));
+    const std::string& text = std::get<std::string>(json);
+    return printOut(QByteArray::fromRawData(text.data(), static_cast<qsizetype>(text.size()))); // may be large
 }
 
 } // namespace kriva::app

@@ -24,19 +24,28 @@ Cubic hermiteCubic(std::span<const Point> curve) {
     return {start, start + third * (curve[1] - start), end - third * (end - curve[curve.size() - 2]), end};
 }
 
-/// A bound of the distance at the same parameter: the difference of two curves of one degree lies in the hull of the
-/// differences of their control points.
-double deviation(std::span<const Point> curve, const Cubic& cubic) {
-    const Points raised = elevated(cubic, static_cast<int>(curve.size()) - 4);
-    double largest = 0;
-    for (std::size_t i = 0; i < curve.size(); ++i)
-        largest = std::max(largest, distance(curve[i], raised[i]));
-    return largest;
+/// Whether the curve is nowhere farther from the cubic than the tolerance, at the same parameter: the difference of two
+/// curves of one degree lies in the hull of the differences of their control points. Control point i of the cubic
+/// raised to degree n has the weights C(i, j) C(n - i, 3 - j) / C(n, 3).
+bool isWithin(double tolerance, std::span<const Point> curve, const Cubic& cubic) {
+    const auto n = static_cast<double>(curve.size() - 1);
+    const double all = n * (n - 1) * (n - 2);
+    for (std::size_t k = 0; k < curve.size(); ++k) {
+        const auto i = static_cast<double>(k);
+        const double r = n - i;
+        const Vector raised = r * (r - 1) * (r - 2) / all * (cubic[0] - curve[k]) +
+                              3 * i * r * (r - 1) / all * (cubic[1] - curve[k]) +
+                              3 * i * (i - 1) * r / all * (cubic[2] - curve[k]) +
+                              i * (i - 1) * (i - 2) / all * (cubic[3] - curve[k]);
+        if (length(raised) > tolerance)
+            return false;
+    }
+    return true;
 }
 
 void append(std::span<const Point> curve, double tolerance, int depth, std::vector<Cubic>& result) {
     const Cubic cubic = hermiteCubic(curve);
-    if (depth == 0 || deviation(curve, cubic) <= tolerance) {
+    if (depth == 0 || isWithin(tolerance, curve, cubic)) {
         result.push_back(cubic);
         return;
     }

@@ -12,9 +12,20 @@ namespace {
 /// Weights this far below the largest one change no sum: they fall faster than geometrically.
 constexpr double kNegligible = 0x1p-80;
 
+struct Fraction {
+    double numerator;
+    double denominator;
+};
+
+/// Signed integers become doubles in one instruction, unsigned ones by a branch.
+double asDouble(std::size_t count) {
+    return static_cast<double>(static_cast<std::ptrdiff_t>(count));
+}
+
 /// The mean of the vectors first..last under weights known by their ratios only. `ratio(j)` is weight j + 1 over
-/// weight j and falls with j, `mode` is an index of a largest weight. Going outwards from there, all terms positive,
-/// nothing overflows or cancels, and the sum of the weights normalises them. Equal vectors have that mean bit for bit.
+/// weight j, which falls with j, as numerator and denominator, `mode` is an index of a largest weight. Going outwards
+/// from there, all terms positive, nothing overflows or cancels, and the sum of the weights normalises them. Equal
+/// vectors have that mean bit for bit.
 template <class Ratio>
 Vector weightedMean(std::span<const Vector> vectors, std::size_t first, std::size_t last, std::size_t mode,
                     Ratio ratio) {
@@ -25,11 +36,15 @@ Vector weightedMean(std::span<const Vector> vectors, std::size_t first, std::siz
         total += weight;
     };
     double weight = 1;
-    for (std::size_t j = mode; j < last && weight > kNegligible; ++j)
-        add(weight *= ratio(j), vectors[j + 1]);
+    for (std::size_t j = mode; j < last && weight > kNegligible; ++j) {
+        const Fraction up = ratio(j);
+        add(weight *= up.numerator / up.denominator, vectors[j + 1]);
+    }
     weight = 1;
-    for (std::size_t j = mode; j > first && weight > kNegligible; --j)
-        add(weight /= ratio(j - 1), vectors[j - 1]);
+    for (std::size_t j = mode; j > first && weight > kNegligible; --j) {
+        const Fraction up = ratio(j - 1);
+        add(weight *= up.denominator / up.numerator, vectors[j - 1]);
+    }
     return vectors[mode] + sum / total;
 }
 
@@ -41,7 +56,7 @@ Vector elevatedVector(std::span<const Vector> vectors, std::size_t times, std::s
     const std::size_t last = std::min(n, i);
     const std::size_t mode = std::clamp((n + 1) * (i + 1) / (n + times + 2), first, last);
     return weightedMean(vectors, first, last, mode, [&](std::size_t j) {
-        return static_cast<double>((n - j) * (i - j)) / static_cast<double>((j + 1) * (times + j + 1 - i));
+        return Fraction{asDouble((n - j) * (i - j)), asDouble((j + 1) * (times + j + 1 - i))};
     });
 }
 
@@ -50,7 +65,7 @@ Vector valueAtFraction(std::span<const Vector> vectors, std::size_t i, std::size
     const std::size_t n = vectors.size() - 1;
     const std::size_t mode = std::min(n, (n + 1) * i / N);
     return weightedMean(vectors, 0, n, mode, [&](std::size_t j) {
-        return static_cast<double>((n - j) * i) / static_cast<double>((j + 1) * (N - i));
+        return Fraction{asDouble((n - j) * i), asDouble((j + 1) * (N - i))};
     });
 }
 

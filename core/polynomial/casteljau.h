@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/geometry/point.h"
+#include "core/polynomial/long_rows.h"
 
 #include <array>
+#include <type_traits>
 
 /// De Casteljau's scheme on plain coefficients (numbers or vectors): what evaluation, splitting and root isolation
 /// share.
@@ -26,6 +27,9 @@ template <class T>
 /// Writes the left part of a split at t to `left` (of the same size) and leaves the right part in `row`.
 template <class T>
 constexpr void splitInPlace(std::span<T> row, std::span<T> left, double t) {
+    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Vector>)
+        if (row.size() >= kLongRow)
+            return splitLongRow(row, left, t);
     for (std::size_t count = row.size(); count > 0; --count) {
         left[row.size() - count] = row.front();
         interpolateRow(row.first(count), t);

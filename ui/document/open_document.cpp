@@ -63,7 +63,7 @@ void OpenDocument::tellModified() {
 bool OpenDocument::change(SheetIndex sheet, Serial serial, Curve curve, const StepLabel& label) {
     beginGesture(sheet, serial, label);
     preview(std::move(curve));
-    const bool isChanged = gesture_ && *find(sheet, serial) != gesture_->start;
+    const bool isChanged = gesture_ && gesture_->start; // by a single preview, which shows no equal value
     endGesture();
     return isChanged;
 }
@@ -127,8 +127,8 @@ void OpenDocument::reorder(SheetIndex sheet, Serial serial, int index, const Ste
 
 void OpenDocument::beginGesture(SheetIndex sheet, Serial serial, const StepLabel& label) {
     endGesture();
-    if (const Curve* curve = find(sheet, serial))
-        gesture_ = Gesture{sheet, serial, label, *curve};
+    if (find(sheet, serial))
+        gesture_ = Gesture{sheet, serial, label};
 }
 
 std::optional<Serial> OpenDocument::beginGestureWithNew(SheetIndex sheet, int index, Curve curve,
@@ -137,16 +137,24 @@ std::optional<Serial> OpenDocument::beginGestureWithNew(SheetIndex sheet, int in
     if (!isWithinLimits(this->sheet(sheet), {}, curve))
         return {};
     const Serial serial = present_.newSerial();
-    gesture_ = Gesture{sheet, serial, label, curve, true};
+    gesture_ = Gesture{.sheet = sheet, .serial = serial, .label = label, .isNew = true};
     exchange(sheet, serial, PlacedCurve{std::move(curve), index});
     setActiveCurve(sheet, serial);
     return serial;
 }
 
 void OpenDocument::preview(Curve curve) {
-    if (gesture_ && curve != *find(gesture_->sheet, gesture_->serial) &&
-        isWithinLimits(sheet(gesture_->sheet), indexOf(gesture_->sheet, gesture_->serial), curve))
-        put(gesture_->sheet, gesture_->serial, std::move(curve));
+    if (!gesture_ || curve == *find(gesture_->sheet, gesture_->serial) ||
+        !isWithinLimits(sheet(gesture_->sheet), indexOf(gesture_->sheet, gesture_->serial), curve))
+        return;
+    Curve before = present_.put(gesture_->sheet, gesture_->serial, std::move(curve));
+    if (!gesture_->start)
+        gesture_->start = std::move(before);
+    Q_EMIT curveChanged(gesture_->sheet, gesture_->serial);
+}
+
+const Curve& OpenDocument::gestureStart() const {
+    return gesture_->start ? *gesture_->start : *find(gesture_->sheet, gesture_->serial);
 }
 
 void OpenDocument::endGesture() {
@@ -157,8 +165,8 @@ void OpenDocument::endGesture() {
     const int index = *indexOf(gesture.sheet, gesture.serial);
     if (gesture.isNew)
         push(gesture.sheet, {{gesture.serial, std::nullopt}}, gesture.label);
-    else if (*find(gesture.sheet, gesture.serial) != gesture.start)
-        push(gesture.sheet, {{gesture.serial, PlacedCurve{std::move(gesture.start), index}}}, gesture.label);
+    else if (gesture.start && *find(gesture.sheet, gesture.serial) != *gesture.start)
+        push(gesture.sheet, {{gesture.serial, PlacedCurve{std::move(*gesture.start), index}}}, gesture.label);
 }
 
 void OpenDocument::cancelGesture() {
@@ -168,8 +176,8 @@ void OpenDocument::cancelGesture() {
     Gesture gesture = *std::exchange(gesture_, std::nullopt);
     if (gesture.isNew)
         exchange(gesture.sheet, gesture.serial, std::nullopt);
-    else if (*find(gesture.sheet, gesture.serial) != gesture.start)
-        put(gesture.sheet, gesture.serial, std::move(gesture.start));
+    else if (gesture.start && *find(gesture.sheet, gesture.serial) != *gesture.start)
+        put(gesture.sheet, gesture.serial, std::move(*gesture.start));
 }
 
 void OpenDocument::changeInBurst(SheetIndex sheet, Serial serial, Curve curve, const StepLabel& label) {

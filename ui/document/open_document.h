@@ -61,7 +61,7 @@ class OpenDocument : public QObject {
     void cancelGesture();
     [[nodiscard]] bool hasGesture() const { return gesture_.has_value(); }
     /// The value at the beginning of the running gesture.
-    [[nodiscard]] const Curve& gestureStart() const { return gesture_->start; }
+    [[nodiscard]] const Curve& gestureStart() const;
     /// A preview of a gesture that ends by itself once nothing more of its kind comes: keys held down, typing.
     void changeInBurst(SheetIndex sheet, Serial serial, Curve curve, const StepLabel& label);
 
@@ -103,7 +103,7 @@ class OpenDocument : public QObject {
         SheetIndex sheet;
         Serial serial;
         StepLabel label;
-        Curve start;
+        std::optional<Curve> start = {}; ///< taken out by the first preview: until then, the present value
         bool isNew = false; ///< the curve was not there before
         bool isBurst = false;
     };

@@ -1,6 +1,7 @@
 #include "ui/document/serial_document.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace kriva::ui {
 namespace {
@@ -37,17 +38,16 @@ void SerialDocument::replace(Document document) {
     }
 }
 
-void SerialDocument::put(SheetIndex sheet, Serial serial, Curve curve) {
-    value_.sheets[sheet].curves[static_cast<std::size_t>(*indexOf(sheet, serial))] = std::move(curve);
+Curve SerialDocument::put(SheetIndex sheet, Serial serial, Curve curve) {
+    Curve& place = value_.sheets[sheet].curves[static_cast<std::size_t>(*indexOf(sheet, serial))];
+    return std::exchange(place, std::move(curve));
 }
 
 std::optional<PlacedCurve> SerialDocument::exchange(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other) {
     const Serial active = activeCurve(sheet);
     std::optional<PlacedCurve> before;
-    if (const std::optional<int> index = indexOf(sheet, serial)) {
-        before = PlacedCurve{*find(sheet, serial), *index};
-        takeOut(sheet, *index);
-    }
+    if (const std::optional<int> index = indexOf(sheet, serial))
+        before = takeOut(sheet, *index);
     if (before && other) // whether a curve is shown is not undone
         other->curve = withView(std::move(other->curve), viewOf(before->curve));
     if (other)
@@ -58,9 +58,12 @@ std::optional<PlacedCurve> SerialDocument::exchange(SheetIndex sheet, Serial ser
     return before;
 }
 
-void SerialDocument::takeOut(SheetIndex sheet, int index) {
-    value_.sheets[sheet].curves.erase(value_.sheets[sheet].curves.begin() + offset(index));
+PlacedCurve SerialDocument::takeOut(SheetIndex sheet, int index) {
+    const auto place = value_.sheets[sheet].curves.begin() + offset(index);
+    PlacedCurve taken{std::move(*place), index};
+    value_.sheets[sheet].curves.erase(place);
     serials_[sheet].erase(serials_[sheet].begin() + offset(index));
+    return taken;
 }
 
 void SerialDocument::putIn(SheetIndex sheet, Serial serial, PlacedCurve curve) {

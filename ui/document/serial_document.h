@@ -34,8 +34,8 @@ class SerialDocument {
     /// Another document, all of its curves with new serials.
     void replace(Document document);
     [[nodiscard]] Serial newSerial() { return ++lastSerial_; }
-    /// Another value for a curve that is there.
-    void put(SheetIndex sheet, Serial serial, Curve curve);
+    /// Puts another value in place of the curve, which must be there, and gives the one before.
+    Curve put(SheetIndex sheet, Serial serial, Curve curve);
     /// Puts `other` in place of the curve, or takes it out, and gives what was there. Whether the curve is shown stays
     /// as it is; the active curve stays active as long as it is there.
     std::optional<PlacedCurve> exchange(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other);
@@ -43,7 +43,7 @@ class SerialDocument {
     [[nodiscard]] SheetView& view(SheetIndex sheet) { return value_.sheets[sheet].view; }
 
   private:
-    void takeOut(SheetIndex sheet, int index);
+    PlacedCurve takeOut(SheetIndex sheet, int index);
     void putIn(SheetIndex sheet, Serial serial, PlacedCurve curve);
 
     Document value_;

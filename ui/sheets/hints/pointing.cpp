@@ -25,10 +25,11 @@ std::optional<Point> ghostFor(const SheetEditor& editor, const Pointing& now) {
 
 QString hintFor(const SheetEditor& editor, const Pointing& now, bool canExplain) {
     const Curve* active = editor.activeCurve();
+    const bool pullsHandles = active ? hasHandles(*active) : hasHandles(emptyCurve(editor.index()));
     return hintText({.under = now.under,
                      .modifiers = now.modifiers,
                      .tool = now.tool,
-                     .pullsHandles = hasHandles(active ? *active : emptyCurve(editor.index())),
+                     .pullsHandles = pullsHandles,
                      .closes = now.tool == Tool::add && closesCurve(editor, now.under),
                      .explains = canExplain && now.tool == Tool::edit && now.modifiers == Qt::NoModifier});
 }

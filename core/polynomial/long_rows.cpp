@@ -1,0 +1,69 @@
+#include "core/polynomial/long_rows.h"
+
+#include <cassert>
+#include <cstring>
+
+namespace kriva {
+
+namespace {
+
+static_assert(sizeof(Vector) == 2 * sizeof(double));
+
+/// Four doubles at once; compiled for two registers of two where the processor has none of four.
+using Lanes [[gnu::vector_size(32)]] = double;
+constexpr std::size_t kLanes = sizeof(Lanes) / sizeof(double);
+
+/// One level of the scheme on `size` numbers, of which each `stride` are a coefficient.
+template <std::size_t stride>
+[[gnu::always_inline]] inline void interpolate(double* row, std::size_t size, double t) {
+    const double s = 1 - t;
+    std::size_t i = 0;
+    for (; i + kLanes + stride <= size; i += kLanes) {
+        Lanes here;
+        Lanes next;
+        std::memcpy(&here, row + i, sizeof here);
+        std::memcpy(&next, row + i + stride, sizeof next);
+        here = s * here + t * next;
+        std::memcpy(row + i, &here, sizeof here);
+    }
+    for (; i + stride < size; ++i)
+        row[i] = s * row[i] + t * row[i + stride];
+}
+
+template <std::size_t stride>
+[[gnu::always_inline]] inline void split(double* row, double* left, std::size_t size, double t) {
+    for (std::size_t rest = size; rest > 0; rest -= stride) {
+        std::memcpy(left + (size - rest), row, stride * sizeof(double));
+        interpolate<stride>(row, rest, t);
+    }
+}
+
+#ifdef __x86_64__
+template <std::size_t stride>
+[[gnu::target("avx2")]] void splitByAvx2(double* row, double* left, std::size_t size, double t) {
+    split<stride>(row, left, size, t);
+}
+#endif
+
+template <std::size_t stride>
+void splitRow(double* row, double* left, std::size_t size, double t) {
+#ifdef __x86_64__
+    if (__builtin_cpu_supports("avx2"))
+        return splitByAvx2<stride>(row, left, size, t);
+#endif
+    split<stride>(row, left, size, t);
+}
+
+} // namespace
+
+void splitLongRow(std::span<double> row, std::span<double> left, double t) {
+    assert(left.size() == row.size());
+    splitRow<1>(row.data(), left.data(), row.size(), t);
+}
+
+void splitLongRow(std::span<Vector> row, std::span<Vector> left, double t) {
+    assert(left.size() == row.size());
+    splitRow<2>(&row.data()->x, &left.data()->x, 2 * row.size(), t);
+}
+
+} // namespace kriva
