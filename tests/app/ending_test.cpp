@@ -184,6 +184,18 @@ INSTANTIATE_TEST_SUITE_P(While, EndedBy,
                              return std::string(signal) + "_" + tested.param.how;
                          });
 
+TEST(Ending, theSessionManagerFindsAllWorkOnTheDiskAndNobodyIsAsked) {
+    const QTemporaryDir home;
+    EditedKriva kriva(home);
+    kriva.start(u"session"_s, {}, 3'600'000, 3'600'000);
+    ASSERT_TRUE(kriva.waitFor("kept"));
+    const int changes = kriva.changes().rbegin()->first;
+    kriva.end(SIGKILL);
+    const auto found = kriva.found();
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_GE(changeOf(found[0]).value_or(0), changes);
+}
+
 TEST(Ending, aWindowThatIsBusyForEverEndsInTimeAllTheSame) {
     const QTemporaryDir home;
     EditedKriva kriva(home);

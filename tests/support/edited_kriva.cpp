@@ -6,6 +6,7 @@
 //   dialog    the same behind the question before unsaved changes are lost
 //   work      the same while long work runs in the background
 //   busy      a change, then the thread of the window comes back from nothing any more
+//   session   the session manager asks for what is unsaved: "kept" is printed once that is done, and work goes on
 //   save      a change that is saved
 //   look      nothing; what is offered for recovery is recovered
 //   discard, later     the same, but discarded or left
@@ -17,6 +18,7 @@
 
 #include <QComboBox>
 #include <QElapsedTimer>
+#include <QSessionManager>
 #include <QThreadPool>
 
 #include <cstdio>
@@ -119,6 +121,9 @@ class Hand : public QObject {
             for (int i = 0; i < QThread::idealThreadCount(); ++i)
                 QThreadPool::globalInstance()->start([] { ::sleep(3600); });
             print("begun");
+        } else if (how_ == QLatin1String("session")) {
+            Q_EMIT qApp->commitDataRequest(*qApp->findChild<QSessionManager*>());
+            print("kept");
         } else if (how_ == QLatin1String("busy")) {
             print("begun");
             for (;;)
