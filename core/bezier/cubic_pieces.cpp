@@ -33,10 +33,9 @@ bool isWithin(double tolerance, std::span<const Point> curve, const Cubic& cubic
     for (std::size_t k = 0; k < curve.size(); ++k) {
         const auto i = static_cast<double>(k);
         const double r = n - i;
-        const Vector raised = r * (r - 1) * (r - 2) / all * (cubic[0] - curve[k]) +
-                              3 * i * r * (r - 1) / all * (cubic[1] - curve[k]) +
-                              3 * i * (i - 1) * r / all * (cubic[2] - curve[k]) +
-                              i * (i - 1) * (i - 2) / all * (cubic[3] - curve[k]);
+        const Vector raised =
+            r * (r - 1) * (r - 2) / all * (cubic[0] - curve[k]) + 3 * i * r * (r - 1) / all * (cubic[1] - curve[k]) +
+            3 * i * (i - 1) * r / all * (cubic[2] - curve[k]) + i * (i - 1) * (i - 2) / all * (cubic[3] - curve[k]);
         if (length(raised) > tolerance)
             return false;
     }

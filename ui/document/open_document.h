@@ -104,7 +104,7 @@ class OpenDocument : public QObject {
         Serial serial;
         StepLabel label;
         std::optional<Curve> start = {}; ///< taken out by the first preview: until then, the present value
-        bool isNew = false; ///< the curve was not there before
+        bool isNew = false;              ///< the curve was not there before
         bool isBurst = false;
     };
 

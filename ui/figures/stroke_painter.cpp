@@ -54,8 +54,7 @@ class StrokePainter {
         length_ += QLineF(piece.front(), piece.back()).length();
     }
     void addInParts(std::span<const QPointF> piece) {
-        if (piece.size() == 2 && pen_.style() == Qt::SolidLine &&
-            QLineF(piece[0], piece[1]).length() >= kLongLine) {
+        if (piece.size() == 2 && pen_.style() == Qt::SolidLine && QLineF(piece[0], piece[1]).length() >= kLongLine) {
             flush();
             paintLine(piece[0], piece[1]);
             return;
