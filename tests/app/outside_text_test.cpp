@@ -13,6 +13,7 @@
 #include <QListView>
 #include <QMenu>
 #include <QMessageBox>
+#include <QStyledItemDelegate>
 #include <QTimer>
 #include <QToolTip>
 
@@ -243,6 +244,25 @@ TEST_F(OutsideText, ofAFileThatWouldBeOverwrittenStandsInTheQuestionOfTheFileDia
     static_cast<QDialog&>(dialog).accept();
     EXPECT_EQ(boxes_, 1);
     EXPECT_TRUE(boxText_.contains(trap_.htmlWithoutSlashes())) << boxText_.toStdString();
+}
+
+TEST_F(OutsideText, ofANameOfAFileIsNotTurnedAroundInTheListsOfTheFileDialog) {
+    const QString name = QStringLiteral("a\u202Egpj.svg");
+    write(inFolder(name), QStringLiteral("1 2\n"));
+    TestWindow window;
+    QFileDialog dialog(&window.window, QString(), inFolder(QString()));
+    dialog.setOption(QFileDialog::DontUseNativeDialog);
+    dialog.show();
+    int lists = 0;
+    for (const auto* view : dialog.findChildren<QAbstractItemView*>()) {
+        if (const auto* names = qobject_cast<const QStyledItemDelegate*>(view->itemDelegate());
+            names &&
+            (view->objectName() == QLatin1String("listView") || view->objectName() == QLatin1String("treeView"))) {
+            EXPECT_EQ(names->displayText(name, QLocale()), QStringLiteral("a\\u202egpj.svg"));
+            ++lists;
+        }
+    }
+    EXPECT_EQ(lists, 2);
 }
 
 TEST_F(OutsideText, whatAnEditIsRefusedForIsSaidWithoutAPathIntoADocument) {

@@ -4,8 +4,8 @@
 
 namespace kriva::ui {
 
-/// Keeps the questions of Qt's own file dialog from reading the names of files as HTML: its boxes ("%1 already exists")
-/// show them letter by letter as long as this lives.
+/// Keeps Qt's own file dialog from being led astray by the names of files, as long as this lives: its questions ("%1
+/// already exists") do not read them as HTML, and its lists show them as printable() does.
 class PlainFileDialogs : public QObject {
     Q_OBJECT
   public:
