@@ -39,5 +39,34 @@ TEST(DockWidth, isTheSameInAllTabsAtFirst) {
     }
 }
 
+std::map<std::string, QSize> sizesOfDocks(const SheetTab& tab) {
+    std::map<std::string, QSize> sizes;
+    for (const char* dock : {"curves", "points", "properties", "results"})
+        sizes[dock] = tab.findChild<QDockWidget*>(QString::fromUtf8(dock))->size();
+    return sizes;
+}
+
+TEST(DockWidth, andHeightAreTheSameWhenTheProgramStartsAgain) {
+    std::map<std::string, QSize> before;
+    {
+        TestWindow window;
+        SheetTab& tab = window.shown(0);
+        const auto dock = [&](const QString& name) { return tab.findChild<QDockWidget*>(name); };
+        tab.resizeDocks({dock(QStringLiteral("properties")), dock(QStringLiteral("results"))}, {420, 250},
+                        Qt::Vertical);
+        test::settle();
+        before = sizesOfDocks(tab);
+        window.window.close();
+    }
+    TestWindow again;
+    EXPECT_EQ(again.window.document().value().active, 0U) << "it is shown together with its window";
+    test::settle();
+    constexpr double kRounding = 2; // px, of Qt's own
+    for (const auto& [dock, size] : sizesOfDocks(again.window.tab(0))) {
+        EXPECT_NEAR(size.width(), before.at(dock).width(), kRounding) << dock;
+        EXPECT_NEAR(size.height(), before.at(dock).height(), kRounding) << dock;
+    }
+}
+
 } // namespace
 } // namespace kriva::ui

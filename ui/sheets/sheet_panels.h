@@ -22,7 +22,8 @@ class SheetPanels {
 
     /// Where that has not been done.
     void make();
-    /// The tab comes into sight: only now docks take the room that they are given. Where that has not been done.
+    /// The tab is in sight and has its size: only now docks keep the room that they are given. Where that has not been
+    /// done.
     void layOut();
     /// The tab comes into sight or goes out of it. Panels that float are windows of their own and go with it.
     void setTabShown(bool isShown);

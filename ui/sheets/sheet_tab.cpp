@@ -31,7 +31,6 @@ void SheetTab::setVisible(bool isVisible) {
 }
 
 void SheetTab::showEvent(QShowEvent* event) {
-    panels_.layOut();
     panels_.setTabShown(true);
     QMainWindow::showEvent(event);
 }

@@ -218,6 +218,8 @@ void MainWindow::followTab() {
     tabWidget_->setCurrentIndex(static_cast<int>(sheet));
     menus_->setSheetActions(tabs_[sheet]->actions().all());
     menus_->setPanels(tabs_[sheet]->panels().actions());
+    if (isVisible())
+        tabs_[sheet]->panels().layOut();
     CanvasView& canvas = tabs_[sheet]->canvas();
     actions_->editTool->setChecked(canvas.tool() == Tool::edit);
     actions_->addTool->setChecked(canvas.tool() == Tool::add);
@@ -245,6 +247,12 @@ void MainWindow::followSelection() {
 void MainWindow::showTheme() {
     for (SheetTab* tab : tabs_)
         tab->canvas().setTheme(surroundings_.theme.isDark() ? Theme::dark : Theme::light);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    // A tab that is shown together with its window has its size only now.
+    currentTab().panels().layOut();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
