@@ -299,8 +299,8 @@ def runs():
             for ending in sorted(formats):
                 yield f"{name}: export {ending}", text, ["export", "-o", f"OUT.{ending}"], "kriva"
             yield f"{name}: export csv", text, ["export", "-o", "OUT.csv"], "kriva"
-    yield ("elevation: png of 16,384 pixels", lambda: document(elevation=[elevation(randoms(20), 5)]),
-           ["export", "-o", "OUT.png", "--dpi", "2400", "--width", "170mm"], "kriva")
+    yield ("elevation: png of nearly 16,384 pixels a side", lambda: document(elevation=[elevation(randoms(20), 5)]),
+           ["export", "-o", "OUT.png", "--dpi", "2370", "--width", "170mm"], "kriva")
     for name, text in readings():
         yield f"{name}: report", text, ["report", "--format", "json"], "kriva"
     for name, text in imports():
