@@ -270,23 +270,6 @@ void OpenDocument::setLayerShown(SheetIndex sheet, std::string_view layer, bool 
     Q_EMIT viewChanged(sheet);
 }
 
-void OpenDocument::setCombScale(SheetIndex sheet, double scale) {
-    if (std::exchange(present_.view(sheet).combScale, scale) != scale)
-        Q_EMIT viewChanged(sheet);
-}
-
-void OpenDocument::setPolylinePoints(SheetIndex sheet, int points) {
-    if (std::exchange(present_.view(sheet).polylinePoints, points) != points)
-        Q_EMIT viewChanged(sheet);
-}
-
-void OpenDocument::setParameters(SheetIndex sheet, std::vector<double> parameters) {
-    if (present_.view(sheet).parameters == parameters)
-        return;
-    present_.view(sheet).parameters = std::move(parameters);
-    Q_EMIT viewChanged(sheet);
-}
-
 void OpenDocument::undo() {
     endGesture();
     group_.undo();
