@@ -947,6 +947,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>вложено на повече от %1 нива</translation>
     </message>
     <message>
+        <source>a number of more than %1 characters</source>
+        <translation>число с повече от %1 знака</translation>
+    </message>
+    <message>
         <source>this is no document of Kriva</source>
         <translation>това не е документ на Kriva</translation>
     </message>

@@ -947,6 +947,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <translation>vgnezdeno globlje od %1</translation>
     </message>
     <message>
+        <source>a number of more than %1 characters</source>
+        <translation>število z več kot %1 znaki</translation>
+    </message>
+    <message>
         <source>this is no document of Kriva</source>
         <translation>to ni dokument programa Kriva</translation>
     </message>

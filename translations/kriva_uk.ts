@@ -947,6 +947,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>вкладено глибше ніж %1</translation>
     </message>
     <message>
+        <source>a number of more than %1 characters</source>
+        <translation>число, довше за %1 символів</translation>
+    </message>
+    <message>
         <source>this is no document of Kriva</source>
         <translation>це не документ Kriva</translation>
     </message>

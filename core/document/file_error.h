@@ -9,6 +9,7 @@ namespace kriva {
 enum class FileProblem {
     notJson,
     nestedTooDeep, ///< more than numbers[0]
+    numberTooLong, ///< more than numbers[0] characters
     foreignFormat,
     unknownVersion,
     unknownKey,

@@ -7,8 +7,9 @@
 namespace kriva::limits {
 
 inline constexpr std::size_t kFileBytes = 64u << 20;
-inline constexpr int kNesting = 64;    ///< of JSON
-inline constexpr double kNumber = 1e9; ///< largest absolute value of any number
+inline constexpr int kNesting = 64;             ///< of JSON
+inline constexpr int kNumberCharacters = 1'000; ///< of a number in JSON
+inline constexpr double kNumber = 1e9;          ///< largest absolute value of any number
 inline constexpr std::size_t kPointsInCurve = 100'000;
 inline constexpr std::size_t kCurvesInSheet = 1'000;
 inline constexpr std::size_t kPointsInSheet = 1'000'000;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/numbers/double_double.h"
+#include "core/polynomial/long_rows.h"
 
 #include <array>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 /// Polynomials over [0, 1], given by their Bernstein coefficients: never empty, one more than the formal degree.
@@ -64,13 +66,17 @@ template <std::size_t count, class T>
         ratios[k] = ts[k] / (1 - ts[k]);
     std::array<T, count> near;
     std::array<T, count> far;
-    near.fill(scaled[degree]);
-    far.fill(scaled[0]);
-    for (std::size_t i = 1; i <= degree; ++i)
-        for (std::size_t k = 0; k < count; ++k) {
-            near[k] = ratios[k] * near[k] + scaled[degree - i];
-            far[k] = ratios[k] * far[k] + scaled[i];
-        }
+    if constexpr (count == kTogetherInLongRow && std::is_same_v<T, Vector>) {
+        evaluateLongRow(scaled, ratios, near, far);
+    } else {
+        near.fill(scaled[degree]);
+        far.fill(scaled[0]);
+        for (std::size_t i = 1; i <= degree; ++i)
+            for (std::size_t k = 0; k < count; ++k) {
+                near[k] = ratios[k] * near[k] + scaled[degree - i];
+                far[k] = ratios[k] * far[k] + scaled[i];
+            }
+    }
     std::array<MirroredValues<T>, count> values{};
     for (std::size_t k = 0; k < count; ++k) {
         const double factor = power(1 - ts[k], degree);

@@ -1,5 +1,6 @@
 #include "core/polynomial/least_squares.h"
 
+#include "core/numbers/double_double_lanes.h"
 #include "core/numbers/vector_registers.h"
 
 #include <algorithm>
@@ -8,25 +9,46 @@
 namespace kriva {
 namespace {
 
-using Column = std::vector<DoubleDouble>;
+/// Double-doubles with their parts apart and zeros behind them, so that lanes of them are worked on.
+class Column {
+  public:
+    explicit Column(std::size_t size)
+        : size_(size)
+        , high_((size + kLanes - 1) / kLanes * kLanes)
+        , low_(high_.size()) {}
+
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] std::size_t sizeWithZeros() const { return high_.size(); }
+    [[nodiscard]] DoubleDouble operator[](std::size_t i) const { return {high_[i], low_[i]}; }
+    void set(std::size_t i, const DoubleDouble& value) {
+        high_[i] = value.high;
+        low_[i] = value.low;
+    }
+    [[nodiscard, gnu::always_inline]] DoubleDoubleLanes lanes(std::size_t from) const {
+        return DoubleDoubleLanes::at(&high_[from], &low_[from]);
+    }
+
+    static constexpr std::size_t kLanes = DoubleDoubleLanes::kCount;
+
+  private:
+    std::size_t size_;
+    std::vector<double> high_;
+    std::vector<double> low_;
+};
 
 DoubleDouble dot(const Column& a, const Column& b) {
-    // Two sums: a single one waits for each of its additions.
-    DoubleDouble even;
-    DoubleDouble odd;
-    std::size_t i = 0;
-    for (; i + 1 < a.size(); i += 2) {
-        even = even + a[i] * b[i];
-        odd = odd + a[i + 1] * b[i + 1];
-    }
-    return i < a.size() ? even + odd + a[i] * b[i] : even + odd;
+    // A sum in each lane: a single one waits for each of its additions.
+    DoubleDoubleLanes sums;
+    for (std::size_t i = 0; i < a.sizeWithZeros(); i += Column::kLanes)
+        sums = sums + a.lanes(i) * b.lanes(i);
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
 /// Takes away from a column its part along a unit column.
 void removePart(Column& column, const Column& unit) {
     const DoubleDouble part = dot(column, unit);
-    for (std::size_t i = 0; i < column.size(); ++i)
-        column[i] = column[i] - part * unit[i];
+    for (std::size_t i = 0; i < column.sizeWithZeros(); ++i)
+        column.set(i, column[i] - part * unit[i]);
 }
 
 /// The x of the points mapped to [-1, 1].
@@ -34,10 +56,9 @@ Column mappedPlaces(std::span<const Point> points) {
     const auto [low, high] =
         std::minmax_element(points.begin(), points.end(), [](Point a, Point b) { return a.x < b.x; });
     const DoubleDouble span = exactSum(high->x, -low->x);
-    Column places;
-    places.reserve(points.size());
-    for (const Point p : points)
-        places.push_back((exactSum(p.x, -low->x) - exactSum(high->x, -p.x)) / span);
+    Column places(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        places.set(i, (exactSum(points[i].x, -low->x) - exactSum(high->x, -points[i].x)) / span);
     return places;
 }
 
@@ -60,8 +81,8 @@ bool orthonormalise(Column& column, const std::vector<Column>& basis) {
     if (!(norm.high > kNothing * whole))
         return false;
     const DoubleDouble scale = DoubleDouble(1) / norm;
-    for (DoubleDouble& element : column)
-        element = element * scale;
+    for (std::size_t i = 0; i < column.sizeWithZeros(); ++i)
+        column.set(i, column[i] * scale);
     return true;
 }
 
@@ -69,14 +90,17 @@ bool orthonormalise(Column& column, const std::vector<Column>& basis) {
 /// degree that the places tell apart.
 int removePolynomial(Column& values, const Column& places, int degree) {
     std::vector<Column> basis;
-    Column next(places.size(), DoubleDouble(1));
+    basis.reserve(static_cast<std::size_t>(degree) + 1);
+    Column next(places.size());
+    for (std::size_t i = 0; i < next.size(); ++i)
+        next.set(i, 1);
     for (int k = 0; k <= degree; ++k) {
         if (!orthonormalise(next, basis))
             return k - 1;
         removePart(values, next);
         basis.push_back(next);
-        for (std::size_t i = 0; i < next.size(); ++i)
-            next[i] = next[i] * places[i];
+        for (std::size_t i = 0; i < next.sizeWithZeros(); ++i)
+            next.set(i, next[i] * places[i]);
     }
     return degree;
 }
@@ -88,9 +112,9 @@ void clearNoise(Column& residuals, std::span<const Point> points) {
     double largest = 0;
     for (const Point p : points)
         largest = std::max(largest, std::abs(p.y));
-    for (DoubleDouble& residual : residuals)
-        if (std::abs(residual.high) <= kNoise * largest)
-            residual = 0;
+    for (std::size_t i = 0; i < residuals.size(); ++i)
+        if (std::abs(residuals[i].high) <= kNoise * largest)
+            residuals.set(i, 0);
 }
 
 /// Indices of points, the first one farthest out, each further one with the largest product of distances to those
@@ -99,8 +123,8 @@ void clearNoise(Column& residuals, std::span<const Point> points) {
 std::vector<std::size_t> spreadPoints(const Column& places, int count) {
     std::vector<double> product;
     product.reserve(places.size());
-    for (const DoubleDouble& place : places)
-        product.push_back(std::abs(place.high));
+    for (std::size_t i = 0; i < places.size(); ++i)
+        product.push_back(std::abs(places[i].high));
     std::vector<std::size_t> chosen;
     for (int k = 0; k < count; ++k) {
         if (k == 1)
@@ -118,8 +142,8 @@ double rootMeanSquare(const Column& values, double largest) {
     if (largest == 0)
         return 0;
     DoubleDouble sum;
-    for (const DoubleDouble& value : values) {
-        const DoubleDouble inUnits = value / largest;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const DoubleDouble inUnits = values[i] / largest;
         sum = sum + inUnits * inUnits;
     }
     return largest * sqrt(sum / static_cast<double>(values.size())).high;
@@ -128,10 +152,9 @@ double rootMeanSquare(const Column& values, double largest) {
 /// For more points than coefficients.
 Fit approximated(std::span<const Point> points, int degree) {
     const Column places = mappedPlaces(points);
-    Column residuals;
-    residuals.reserve(points.size());
-    for (const Point p : points)
-        residuals.emplace_back(p.y);
+    Column residuals(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        residuals.set(i, points[i].y);
     const int toldApart = removePolynomial(residuals, places, degree);
     clearNoise(residuals, points);
 
@@ -147,8 +170,8 @@ Fit approximated(std::span<const Point> points, int degree) {
         fit.polynomial.nodes.push_back(nodes.back());
         fit.polynomial.coefficients.push_back(fit.polynomial.number(0));
     }
-    for (const DoubleDouble& residual : residuals)
-        fit.maxError = std::max(fit.maxError, std::abs(residual.high));
+    for (std::size_t i = 0; i < residuals.size(); ++i)
+        fit.maxError = std::max(fit.maxError, std::abs(residuals[i].high));
     fit.rms = rootMeanSquare(residuals, fit.maxError);
     return fit;
 }
@@ -156,7 +179,7 @@ Fit approximated(std::span<const Point> points, int degree) {
 #ifdef __x86_64__
 /// The same to the last bit, with the processor's own fused multiply-add, which not every one has, in place of calls of
 /// the library's: in half the time.
-__attribute__((flatten, target("fma"))) Fit approximatedWithFma(std::span<const Point> points, int degree) {
+__attribute__((flatten, target("avx2,fma"))) Fit approximatedWithFma(std::span<const Point> points, int degree) {
     return approximated(points, degree);
 }
 #endif
@@ -179,7 +202,7 @@ Fit fitLeastSquares(std::span<const Point> points, int degree) {
         return fitThroughAll(points);
     clearVectorRegisters();
 #ifdef __x86_64__
-    if (__builtin_cpu_supports("fma"))
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
         return approximatedWithFma(points, degree);
 #endif
     return approximated(points, degree);

@@ -38,7 +38,53 @@ template <std::size_t stride>
     }
 }
 
+/// Horner's scheme at kLanes ratios.
+struct Sums {
+    Lanes x;
+    Lanes y;
+
+    [[gnu::always_inline]] explicit Sums(Vector first)
+        : x{first.x, first.x, first.x, first.x}
+        , y{first.y, first.y, first.y, first.y} {}
+    [[gnu::always_inline]] void add(const Lanes& ratios, Vector next) {
+        x = ratios * x + next.x;
+        y = ratios * y + next.y;
+    }
+    [[gnu::always_inline]] void write(Vector* sums) const {
+        for (std::size_t k = 0; k < kLanes; ++k)
+            sums[k] = {x[k], y[k]};
+    }
+};
+
+[[gnu::always_inline]] inline void horner(std::span<const Vector> row, const double* ratios, Vector* near,
+                                          Vector* far) {
+    static_assert(kTogetherInLongRow == 2 * kLanes);
+    Lanes low;
+    Lanes high;
+    std::memcpy(&low, ratios, sizeof low);
+    std::memcpy(&high, ratios + kLanes, sizeof high);
+    Sums nearLow(row.back());
+    Sums nearHigh(row.back());
+    Sums farLow(row.front());
+    Sums farHigh(row.front());
+    for (std::size_t i = 1; i < row.size(); ++i) {
+        const Vector before = row[row.size() - 1 - i];
+        nearLow.add(low, before);
+        nearHigh.add(high, before);
+        farLow.add(low, row[i]);
+        farHigh.add(high, row[i]);
+    }
+    nearLow.write(near);
+    nearHigh.write(near + kLanes);
+    farLow.write(far);
+    farHigh.write(far + kLanes);
+}
+
 #ifdef __x86_64__
+[[gnu::target("avx2")]] void hornerByAvx2(std::span<const Vector> row, const double* ratios, Vector* near,
+                                          Vector* far) {
+    horner(row, ratios, near, far);
+}
 template <std::size_t stride>
 [[gnu::target("avx2")]] void splitByAvx2(double* row, double* left, std::size_t size, double t) {
     split<stride>(row, left, size, t);
@@ -64,6 +110,14 @@ void splitLongRow(std::span<double> row, std::span<double> left, double t) {
 void splitLongRow(std::span<Vector> row, std::span<Vector> left, double t) {
     assert(left.size() == row.size());
     splitRow<2>(&row.data()->x, &left.data()->x, 2 * row.size(), t);
+}
+
+void evaluateLongRow(std::span<const Vector> row, const ManyRatios& ratios, ManyVectors& near, ManyVectors& far) {
+#ifdef __x86_64__
+    if (__builtin_cpu_supports("avx2"))
+        return hornerByAvx2(row, ratios.data(), near.data(), far.data());
+#endif
+    horner(row, ratios.data(), near.data(), far.data());
 }
 
 } // namespace kriva

@@ -48,6 +48,8 @@ QString Errors::reason(const FileError& error) {
         return tr("this is no JSON");
     case FileProblem::nestedTooDeep:
         return tr("nested more than %1 deep").arg(number(error, 0));
+    case FileProblem::numberTooLong:
+        return tr("a number of more than %1 characters").arg(number(error, 0));
     case FileProblem::foreignFormat:
         return tr("this is no document of Kriva");
     case FileProblem::unknownVersion:

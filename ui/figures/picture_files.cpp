@@ -1,10 +1,10 @@
 #include "ui/figures/picture_files.h"
 
 #include "ui/figures/drawing_painter.h"
+#include "ui/figures/png_writer.h"
 
 #include <QBuffer>
 #include <QDateTime>
-#include <QImage>
 #include <QPainter>
 #include <QPdfWriter>
 
@@ -41,20 +41,23 @@ QSize pixelSize(const Page& page, int dpi) {
     return {pixels(page.width), pixels(page.height)};
 }
 
-QByteArray writePng(const Drawing& drawing, const TextSource& texts, int dpi) {
-    QImage image(pixelSize(drawing.page, dpi), QImage::Format_ARGB32_Premultiplied);
-    image.setDotsPerMeterX(qRound(dpi * kInchesPerMetre));
-    image.setDotsPerMeterY(image.dotsPerMeterX());
-    image.fill(Qt::transparent);
-    QPainter painter(&image);
-    painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
-    paintDrawing(painter, drawing, texts, dpi / kMillimetresPerInch);
-    painter.end();
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    image.save(&buffer, "PNG");
-    return bytes;
+QByteArray writePng(const Drawing& drawing, const TextSource& texts, int dpi, int pixelsAtOnce) {
+    const QSize size = pixelSize(drawing.page, dpi);
+    PngWriter png(size, drawing.hasPaper ? PngWriter::Ground::paper : PngWriter::Ground::transparent,
+                  qRound(dpi * kInchesPerMetre));
+    const int rowsOfPart = std::min(size.height(), std::max(1, pixelsAtOnce / size.width()));
+    QImage part(size.width(), rowsOfPart,
+                drawing.hasPaper ? QImage::Format_RGB32 : QImage::Format_ARGB32_Premultiplied);
+    for (int top = 0; top < size.height(); top += rowsOfPart) {
+        part.fill(Qt::transparent);
+        QPainter painter(&part);
+        painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+        painter.translate(0, -top);
+        paintDrawing(painter, drawing, texts, dpi / kMillimetresPerInch);
+        painter.end();
+        png.add(part, std::min(rowsOfPart, size.height() - top));
+    }
+    return png.finish();
 }
 
 QByteArray writePdf(const Drawing& drawing, const TextSource& texts) {

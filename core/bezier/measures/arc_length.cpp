@@ -9,6 +9,7 @@
 #include <array>
 #include <cassert>
 #include <optional>
+#include <utility>
 
 namespace kriva {
 
@@ -87,12 +88,15 @@ double integral(Row speed, std::size_t rule) {
         sum += node.weight * (size(values.near) + size(values.far));
     };
     std::span<const GaussNode> nodes = gaussNodes(rule);
-    constexpr std::size_t kTogether = 4; // as many as the registers of SSE2 hold
-    for (; nodes.size() >= kTogether; nodes = nodes.subspan(kTogether)) {
-        const auto values = mirroredValues(scaled, std::array{nodes[0].at, nodes[1].at, nodes[2].at, nodes[3].at});
-        for (std::size_t i = 0; i < kTogether; ++i)
-            add(nodes[i], values[i]);
-    }
+    const auto addTogether = [&]<std::size_t... k>(std::index_sequence<k...>) {
+        for (; nodes.size() >= sizeof...(k); nodes = nodes.subspan(sizeof...(k))) {
+            const auto values = mirroredValues(scaled, std::array{nodes[k].at...});
+            (add(nodes[k], values[k]), ...);
+        }
+    };
+    if (scaled.size() >= kLongRow)
+        addTogether(std::make_index_sequence<kTogetherInLongRow>());
+    addTogether(std::make_index_sequence<4>()); // as many as the registers of SSE2 hold
     for (const GaussNode& node : nodes)
         add(node, mirroredValues(scaled, node.at));
     return sum;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <locale.h> // newlocale and uselocale: POSIX, not in <clocale>
+#include <optional>
 
 namespace kriva {
 namespace {
@@ -32,15 +33,27 @@ class PointLocale {
 
 struct Outline {
     std::size_t entries = 1; ///< values and keys, if the text is JSON
-    std::size_t tooDeepAt = std::string_view::npos;
+    std::optional<FileError> error;
 };
 
-/// Counts entries and depth without parsing, by brackets, commas and colons outside texts.
+FileError beyondLimit(FileProblem problem, int limit, std::string_view text, std::size_t byte) {
+    FileError error = errorAtByte(problem, text, byte);
+    error.numbers = {static_cast<double>(limit)};
+    return error;
+}
+
+bool startsNumber(char c) {
+    return c == '-' || ('0' <= c && c <= '9');
+}
+
+/// Counts entries without parsing, by brackets, commas and colons outside texts, and sees what would take the parser
+/// too deep or too long.
 Outline outlineOf(std::string_view text) {
     Outline outline;
     int depth = 0;
     bool isInText = false;
-    char before = 0; // blanks left out
+    char before = 0;       // blanks left out
+    std::size_t token = 0; // where the number or word that goes on here began
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         if (isInText) {
@@ -48,30 +61,34 @@ Outline outlineOf(std::string_view text) {
                 ++i;
             else if (c == '"')
                 isInText = false;
+            token = i + 1;
             continue;
         }
-        if (c == ' ' || c == '\n' || c == '\r' || c == '\t')
+        if (c == ' ' || c == '\n' || c == '\r' || c == '\t') {
+            token = i + 1;
             continue;
+        }
         const bool isOpening = c == '[' || c == '{';
         const bool isClosing = c == ']' || c == '}';
-        if (c == ',' || c == ':' || ((before == '[' || before == '{') && !isClosing))
+        const bool isDivider = c == ',' || c == ':';
+        if (isDivider || ((before == '[' || before == '{') && !isClosing))
             ++outline.entries;
         if (isOpening && ++depth > limits::kNesting) {
-            outline.tooDeepAt = i;
+            outline.error = beyondLimit(FileProblem::nestedTooDeep, limits::kNesting, text, i);
             break;
         }
         if (isClosing)
             --depth;
         isInText = c == '"';
+        if (isOpening || isClosing || isDivider || isInText)
+            token = i + 1;
+        else if (i - token == limits::kNumberCharacters && startsNumber(text[token])) {
+            outline.error = beyondLimit(FileProblem::numberTooLong, limits::kNumberCharacters, text, token);
+            break;
+        }
         before = c;
     }
     return outline;
-}
-
-FileError tooDeep(std::string_view text, std::size_t byte) {
-    FileError error = errorAtByte(FileProblem::nestedTooDeep, text, byte);
-    error.numbers = {limits::kNesting};
-    return error;
 }
 
 /// Receives nlohmann's events and lays them on the tape.
@@ -184,8 +201,8 @@ std::variant<JsonTape, FileError> parseJson(std::string_view text) {
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) // and this for the end
         return errorAtByte(FileProblem::notJson, text, nul);
     const Outline outline = outlineOf(text);
-    if (outline.tooDeepAt != std::string_view::npos)
-        return tooDeep(text, outline.tooDeepAt);
+    if (outline.error)
+        return *outline.error;
     JsonTape tape;
     // Whatever a text that is no JSON says: an entry takes at least two bytes, itself and what divides it from the
     // next.

@@ -1,8 +1,10 @@
-#include "core/numbers/double_double.h"
+#include "core/numbers/double_double_lanes.h"
 #include "tests/core/polynomial/any_number.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+
+#include <array>
 
 namespace kriva {
 namespace {
@@ -25,6 +27,28 @@ RC_GTEST_PROP(DoubleDouble, dividesBackToTheFactor, ()) {
 RC_GTEST_PROP(DoubleDouble, squareOfTheRootIsTheNumber, ()) {
     const DoubleDouble a = abs(exactSum(anyNumber(-20, 20), anyNumber(-20, 20) * 0x1p-50));
     RC_ASSERT(abs(sqrt(a) * sqrt(a) - a).high <= 0x1p-100 * a.high);
+}
+
+RC_GTEST_PROP(DoubleDouble, isTheSameInLanesAsAlone, ()) {
+    using Numbers = std::array<double, DoubleDoubleLanes::kCount>;
+    const auto anyLanes = [] {
+        Numbers high;
+        Numbers low;
+        for (std::size_t i = 0; i < high.size(); ++i) {
+            const DoubleDouble number = exactSum(anyNumber(-20, 20), anyNumber(-20, 20) * 0x1p-50);
+            high[i] = number.high;
+            low[i] = number.low;
+        }
+        return DoubleDoubleLanes::at(high.data(), low.data());
+    };
+    const DoubleDoubleLanes a = anyLanes();
+    const DoubleDoubleLanes b = anyLanes();
+    const DoubleDoubleLanes sum = a + b;
+    const DoubleDoubleLanes product = a * b;
+    for (std::size_t i = 0; i < DoubleDoubleLanes::kCount; ++i) {
+        RC_ASSERT(sum[i] == a[i] + b[i]);
+        RC_ASSERT(product[i] == a[i] * b[i]);
+    }
 }
 
 TEST(DoubleDouble, hasNoRootButZeroOfZero) {

@@ -1,8 +1,10 @@
+#include "core/polynomial/bernstein_polynomial.h"
 #include "core/polynomial/casteljau.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace kriva {
@@ -41,6 +43,24 @@ RC_GTEST_PROP(LongRows, areSplitAsShortOnesToTheLastBit, ()) {
     }
     expectSameSplit(row, t);
     expectSameSplit(vectors, t);
+}
+
+RC_GTEST_PROP(LongRows, areEvaluatedTogetherAsOneByOneToTheLastBit, ()) {
+    const auto size = *rc::gen::inRange<std::size_t>(1, 3 * kLongRow);
+    const auto numbers = *rc::gen::container<std::vector<int>>(2 * size, rc::gen::inRange(-1'000'000, 1'000'000));
+    const auto places = *rc::gen::container<std::vector<int>>(kTogetherInLongRow, rc::gen::inRange(0, 500));
+    std::vector<Vector> row;
+    for (std::size_t i = 0; i < size; ++i)
+        row.push_back({numbers[2 * i] / 7.0, numbers[2 * i + 1] / 3.0});
+    std::array<double, kTogetherInLongRow> ts{};
+    std::ranges::transform(places, ts.begin(), [](int place) { return place / 1000.0; });
+    const std::span<const Vector> scaled(row);
+    const auto together = mirroredValues(scaled, ts);
+    for (std::size_t k = 0; k < ts.size(); ++k) {
+        const auto alone = mirroredValues(scaled, ts[k]);
+        RC_ASSERT(together[k].near == alone.near);
+        RC_ASSERT(together[k].far == alone.far);
+    }
 }
 
 } // namespace

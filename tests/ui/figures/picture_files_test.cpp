@@ -1,5 +1,6 @@
 #include "core/bezier/evaluate.h"
 #include "core/bezier/nearest.h"
+#include "core/figure/labels.h"
 #include "ui/document/safe_write.h"
 #include "ui/figures/caption_text.h"
 #include "ui/figures/figure_file.h"
@@ -66,31 +67,58 @@ TEST(Png, liesWithinAPixelOfTheExactCurve) {
     }
 }
 
-TEST(Png, dashesGoOnWhereALongLineIsCut) {
-    constexpr int kPieces = 5'000;
-    const auto pictureOf = [](const Points& points) {
-        Drawing drawing;
-        Stroke line{polyline(points), Role::curve};
-        line.style.dash = LineDash::dashed;
-        drawing.figure.layers = {{"curve", {line}}};
-        drawing.page = pageOf(boxOf(drawing.figure));
-        return QImage::fromData(writePng(drawing, textSource(), 150));
-    };
-    Points cut;
-    for (int i = 0; i <= kPieces; ++i)
-        cut.push_back({100.0 * i / kPieces, 30.0 * i / kPieces});
-    const QImage whole = pictureOf({cut.front(), cut.back()});
-    const QImage inParts = pictureOf(cut);
-    ASSERT_EQ(inParts.size(), whole.size());
-    int ink = 0, others = 0;
-    for (int y = 0; y < whole.height(); ++y)
-        for (int x = 0; x < whole.width(); ++x) {
-            const int gray = qGray(whole.pixel(x, y));
+/// A picture of one stroke along these points.
+QImage pictureOfLine(const Points& points, LineDash dash = LineDash::solid) {
+    Drawing drawing;
+    Stroke line{polyline(points), Role::curve};
+    line.style.dash = dash;
+    drawing.figure.layers = {{"curve", {line}}};
+    drawing.page = pageOf(boxOf(drawing.figure));
+    return QImage::fromData(writePng(drawing, textSource(), 150));
+}
+
+/// How many pixels of two pictures differ by more than some grays, for each that has ink in the first.
+double shareOfOthers(const QImage& first, const QImage& second, int grays) {
+    EXPECT_EQ(first.size(), second.size());
+    int ink = 0;
+    int others = 0;
+    for (int y = 0; y < first.height(); ++y)
+        for (int x = 0; x < first.width(); ++x) {
+            const int gray = qGray(first.pixel(x, y));
             ink += gray < 128 ? 1 : 0;
-            others += std::abs(gray - qGray(inParts.pixel(x, y))) > 100 ? 1 : 0;
+            others += std::abs(gray - qGray(second.pixel(x, y))) > grays ? 1 : 0;
         }
     EXPECT_GT(ink, 500);
-    EXPECT_LT(others, ink / 100) << "a dash is where the line had a gap";
+    return static_cast<double>(others) / ink;
+}
+
+/// The points of a polyline and so many between each two of them.
+Points refined(const Points& points, int between) {
+    Points fine;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        for (int k = 0; k <= between; ++k)
+            fine.push_back(lerp(points[i], points[i + 1], static_cast<double>(k) / (between + 1)));
+    fine.push_back(points.back());
+    return fine;
+}
+
+TEST(Png, dashesGoOnWhereALongLineIsCut) {
+    const Points line{{0, 0}, {100, 30}};
+    const QImage whole = pictureOfLine(line, LineDash::dashed);
+    EXPECT_LT(shareOfOthers(whole, pictureOfLine(refined(line, 5'000), LineDash::dashed), 100), 0.01)
+        << "a dash is where the line had a gap";
+}
+
+TEST(Png, longStraightPiecesLookAsShortOnesDo) {
+    const Points corners{{0, 0}, {100, 8}, {3, 20}, {100, 40}, {100, 90}, {0, 30}};
+    EXPECT_LT(shareOfOthers(pictureOfLine(corners), pictureOfLine(refined(corners, 50)), 60), 0.01);
+}
+
+TEST(Png, linesOfManyPointsLookAsTheirCornersDo) {
+    Points turns;
+    for (int i = 0; i <= 1'500; ++i)
+        turns.push_back({0.03 * i * std::cos(i / 30.0), 0.03 * i * std::sin(i / 30.0)});
+    EXPECT_LT(shareOfOthers(pictureOfLine(turns), pictureOfLine(refined(turns, 20)), 60), 0.01);
 }
 
 TEST(Png, marksThatAreLeftOutAreNotMissed) {
@@ -124,6 +152,21 @@ TEST(Png, hasTheSizeOfThePageAtItsResolution) {
     EXPECT_EQ(picture.pixelColor(0, 0), QColor(Qt::white));
     drawing.hasPaper = false;
     EXPECT_EQ(QImage::fromData(writePng(drawing, textSource(), 300)).pixelColor(0, 0).alpha(), 0);
+}
+
+TEST(Png, isTheSameWhereItIsPaintedInParts) {
+    Drawing drawing = drawingOfCurve(kLoop);
+    Stroke dashed{polyline(refined(kLoop, 1'000)), Role::controlPolygon};
+    dashed.style.dash = LineDash::dashed;
+    drawing.figure.layers.push_back({"control-polygon", {dashed}, {{kLoop, Role::point}}, indexedLabels("P", kLoop)});
+    drawing.page = pageOf(boxOf(drawing.figure));
+    for (const bool hasPaper : {true, false}) {
+        drawing.hasPaper = hasPaper;
+        const QByteArray whole = writePng(drawing, textSource(), 150);
+        EXPECT_EQ(writePng(drawing, textSource(), 150, 100'000), whole) << hasPaper;
+        EXPECT_EQ(writePng(drawing, textSource(), 150, 1'000), whole) << hasPaper;
+        EXPECT_EQ(QImage::fromData(whole).hasAlphaChannel(), !hasPaper);
+    }
 }
 
 TEST(Png, drawsLongCurvesWithoutSeams) {

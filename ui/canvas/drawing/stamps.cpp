@@ -76,14 +76,15 @@ Stamps stampsAt(std::span<const Point> points, QPixmap picture, const StampView&
     // A mark is seen if any of its pixels is.
     const double margin = middle.x();
     const QSizeF size = view.viewport.size * view.devicePixelRatio + QSizeF(2 * margin, 2 * margin);
-    const QRectF seen(-margin, -margin, size.width(), size.height());
     const bool areFew = points.size() <= kFew && view.spacing == 1;
     Squares squares(areFew ? QSizeF() : size, view.spacing);
     for (const Point p : points) {
         if (static_cast<double>(stamps.places.size()) > view.most)
             break;
         const QPointF pixel = view.viewport.toPixels(p) * view.devicePixelRatio;
-        if (seen.contains(pixel) && (areFew || squares.take(pixel - seen.topLeft())))
+        const QPointF place = pixel + QPointF(margin, margin);
+        const bool isSeen = 0 <= place.x() && place.x() < size.width() && 0 <= place.y() && place.y() < size.height();
+        if (isSeen && (areFew || squares.take(place)))
             stamps.places.push_back(pixel.toPoint() - middle);
     }
     return stamps;

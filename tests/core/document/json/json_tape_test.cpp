@@ -148,6 +148,23 @@ TEST(JsonTape, goes64LevelsDeepAndNoFurther) {
     EXPECT_EQ(refusalOf(objects).problem, FileProblem::nestedTooDeep);
 }
 
+TEST(JsonTape, readsNumbersOf1000CharactersAndNoLongerOnes) {
+    const std::string longest = "0." + std::string(995, '0') + "1e0";
+    EXPECT_EQ(numberOf(longest), 0);
+    const FileError error = refusalOf("[1,\n  " + longest + "0]");
+    EXPECT_EQ(error.problem, FileProblem::numberTooLong);
+    EXPECT_EQ(error.numbers, std::vector<double>{1000});
+    EXPECT_EQ(error.line, 2);
+    EXPECT_EQ(error.column, 3);
+    // Words and texts are not numbers, and many numbers are not a long one.
+    EXPECT_EQ(refusalOf(std::string(2000, 'a')).problem, FileProblem::notJson);
+    EXPECT_EQ(tapeOf('"' + std::string(2000, '1') + '"').entries.size(), 1u);
+    std::string many = "[1";
+    for (int i = 0; i < 1000; ++i)
+        many += ",12";
+    EXPECT_EQ(tapeOf(many + "]").entries.size(), 1002u);
+}
+
 TEST(JsonTape, countsNoBracketsInsideTexts) {
     EXPECT_EQ(tapeOf('"' + std::string(100, '[') + "\\\"" + std::string(100, '{') + '"').entries.size(), 1u);
     std::string wide = "[";

@@ -1,5 +1,6 @@
 // How long the window's thread is kept while unsaved work is recorded, and what the other thread has to do: a chain of
 // knots, cut into curves of 100,000, which is as large as curves are.
+#include "app/kept_memory.h"
 #include "core/document/document_json.h"
 #include "ui/document/recovery/document_shadow.h"
 #include "ui/document/sharing/content_hash.h"
@@ -40,6 +41,7 @@ double threadSeconds() {
 
 /// The longest turn of the window's thread from the first change on until the snapshot is handed over.
 void longestTurnOfTheFirstSnapshot(benchmark::State& state) {
+    keepFreedMemory(); // as the editor does
     ui::OpenDocument document;
     fill(document, state.range(0));
     ui::DocumentShadow shadow(document);
