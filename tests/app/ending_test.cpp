@@ -1,4 +1,4 @@
-#include "tests/support/faulty_save.h"
+#include "tests/support/long_run.h"
 #include "ui/document/document_file.h"
 #include "ui/document/recovery/found_recoveries.h"
 #include "ui/document/sharing/open_files.h"

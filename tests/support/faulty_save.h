@@ -53,8 +53,4 @@ struct SaveOutcome {
                               << " errno " << fault.error << " lasting " << fault.isLasting;
 }
 
-[[nodiscard]] inline bool isLongRun() {
-    return qEnvironmentVariableIsSet("KRIVA_LONG_TESTS");
-}
-
 } // namespace kriva::test

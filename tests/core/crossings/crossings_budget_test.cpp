@@ -1,7 +1,7 @@
 #include "core/crossings/crossings.h"
+#include "tests/support/long_run.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <gmock/gmock.h>
 #include <numbers>
 
@@ -155,7 +155,7 @@ TEST(CrossingsBudget, stepsGrowWithTheMeetingsInOnePlaceAndNotWithTheirSquare) {
 }
 
 TEST(CrossingsBudget, aMillionPassesAreFoundAndOneMoreIsTooMany) {
-    if (!std::getenv("KRIVA_LONG_TESTS"))
+    if (!test::isLongRun())
         GTEST_SKIP() << "only in the long run";
     constexpr std::size_t kMost = 1'000'000;
     std::vector<Chain> curves = grid(707); // 999,698 passes

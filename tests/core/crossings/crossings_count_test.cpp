@@ -1,9 +1,9 @@
 #include "core/crossings/crossings.h"
 #include "tests/support/data_sets.h"
+#include "tests/support/long_run.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 
 namespace kriva {
 namespace {
@@ -25,7 +25,7 @@ std::size_t crossingsThrough(const Points& points) {
 TEST(CrossingsCount, ofLongSegmentsIsExact) {
     EXPECT_EQ(crossingsThrough(test::randomPoints(46, 10)), 5U);
     EXPECT_EQ(crossingsThrough(test::randomPoints(46, 100)), 1026U);
-    if (std::getenv("KRIVA_LONG_TESTS")) {
+    if (test::isLongRun()) {
         EXPECT_EQ(crossingsThrough(test::randomPoints(46, 1000)), 112'141U);
     }
 }
@@ -34,7 +34,7 @@ TEST(CrossingsCount, ofShortSegmentsIsExact) {
     EXPECT_EQ(crossingsThrough(test::randomWalk(10)), 1U);
     EXPECT_EQ(crossingsThrough(test::randomWalk(100)), 95U);
     EXPECT_EQ(crossingsThrough(test::randomWalk(1000)), 983U);
-    if (std::getenv("KRIVA_LONG_TESTS")) {
+    if (test::isLongRun()) {
         EXPECT_EQ(crossingsThrough(test::randomWalk(10'000)), 24'357U);
     }
 }

@@ -1,6 +1,7 @@
 #include "core/document/document_json.h"
 #include "core/document/limits.h"
 #include "core/subdivision/subdivision_edits.h"
+#include "tests/support/long_run.h"
 #include "ui/document/open_document.h"
 #include "ui/sheets/sheet_editor.h"
 
@@ -256,7 +257,7 @@ class Person {
 };
 
 TEST_F(OpenDocumentTest, anySequenceCanBeUndoneAndRedoneByteForByte) {
-    const unsigned sequences = qEnvironmentVariableIsSet("KRIVA_LONG_TESTS") ? 10'000 : 500;
+    const unsigned sequences = test::isLongRun() ? 10'000 : 500;
     for (unsigned seed = 0; seed < sequences; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         Document start;

@@ -1,4 +1,5 @@
 #include "tests/support/faulty_save.h"
+#include "tests/support/long_run.h"
 #include "ui/document/file_rights.h"
 #include "ui/document/safe_write.h"
 

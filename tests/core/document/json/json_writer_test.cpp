@@ -1,13 +1,13 @@
 #include "core/document/json/json_tape.h"
 #include "core/document/json/json_writer.h"
 #include "core/document/text/utf8.h"
+#include "tests/support/long_run.h"
 
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <random>
 
@@ -45,7 +45,7 @@ bool areSameBits(const std::vector<double>& a, const std::vector<double>& b) {
 
 // A million where time does not count.
 TEST(JsonWriter, writesDoublesThatReadBackBitForBit) {
-    const std::vector<double> numbers = randomDoubles(std::getenv("KRIVA_LONG_TESTS") ? 1'000'000 : 50'000);
+    const std::vector<double> numbers = randomDoubles(test::isLongRun() ? 1'000'000 : 50'000);
     EXPECT_TRUE(areSameBits(readBack(numbers, JsonWriter::Digits::shortest), numbers));
     EXPECT_TRUE(areSameBits(readBack(numbers, JsonWriter::Digits::seventeen), numbers));
 }

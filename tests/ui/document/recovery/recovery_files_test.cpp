@@ -1,5 +1,6 @@
 #include "core/document/document_json.h"
 #include "tests/support/faulty_save.h"
+#include "tests/support/long_run.h"
 #include "ui/document/file_rights.h"
 #include "ui/document/recovery/found_recoveries.h"
 #include "ui/document/recovery/recovery_files.h"
