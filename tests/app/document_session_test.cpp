@@ -1,7 +1,6 @@
 #include "core/document/document_json.h"
 #include "tests/support/answers.h"
 #include "tests/support/test_window.h"
-#include "ui/document/error_text.h"
 #include "ui/document/recovery/state_folder.h"
 #include "ui/document/sharing/content_hash.h"
 
@@ -12,9 +11,6 @@
 #include <QLockFile>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-
-#include <sys/stat.h>
-#include <unistd.h>
 
 using namespace Qt::StringLiterals;
 
@@ -227,26 +223,6 @@ TEST_F(DocumentSessionTest, aRefusedSaveOffersAnotherName) {
     EXPECT_FALSE(window.window.document().isModified());
     EXPECT_EQ(std::get<LoadedFile>(loadDocument(in(u"other.kriva"_s))).document, mine);
     EXPECT_EQ(onDisk(), documentAt(1));
-}
-
-TEST_F(DocumentSessionTest, rightsThatAFileCouldNotKeepAreTold) {
-    if (::getuid() != 0)
-        GTEST_SKIP() << "only root makes files of others";
-    constexpr uid_t kNobody = 65534;
-    QSignalSpy told(&session, &DocumentSession::told);
-    edit();
-    EXPECT_TRUE(session.save());
-    EXPECT_TRUE(told.empty()) << "nothing was lost";
-    ASSERT_EQ(::chmod(QFile::encodeName(folder.path()).constData(), 0777), 0);
-    ASSERT_EQ(::chown(QFile::encodeName(path).constData(), 1234, 2345), 0);
-    edit();
-    ASSERT_EQ(::seteuid(kNobody), 0);
-    const bool isSaved = session.save();
-    ASSERT_EQ(::seteuid(0), 0);
-    EXPECT_TRUE(isSaved);
-    EXPECT_TRUE(onDisk() == value());
-    ASSERT_EQ(told.count(), 1);
-    EXPECT_EQ(told[0][0].toString(), lostRightsText(path));
 }
 
 TEST_F(DocumentSessionTest, aNameAsLongAsNamesCanBeIsSavedAgainAndAgain) {

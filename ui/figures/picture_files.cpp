@@ -1,6 +1,7 @@
 #include "ui/figures/picture_files.h"
 
 #include "ui/figures/drawing_painter.h"
+#include "ui/figures/figure_ink.h"
 #include "ui/figures/png_writer.h"
 
 #include <QBuffer>
@@ -49,7 +50,7 @@ QByteArray writePng(const Drawing& drawing, const TextSource& texts, int dpi, in
     QImage part(size.width(), rowsOfPart,
                 drawing.hasPaper ? QImage::Format_RGB32 : QImage::Format_ARGB32_Premultiplied);
     for (int top = 0; top < size.height(); top += rowsOfPart) {
-        part.fill(Qt::transparent);
+        part.fill(drawing.hasPaper ? toQt(paperColor(drawing.theme)) : QColor(Qt::transparent));
         QPainter painter(&part);
         painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
         painter.translate(0, -top);
