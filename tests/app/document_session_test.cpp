@@ -208,6 +208,20 @@ TEST_F(DocumentSessionTest, aFileThatIsGoneIsToldAndSavedAgain) {
     EXPECT_TRUE(window.window.close());
 }
 
+TEST_F(DocumentSessionTest, whatIsGoneFromTheDiskIsKeptForTheNextStart) {
+    const auto kept = [&] { return QDir(in(u"state/kriva/recovery"_s)).entryList({u"*.kriva"_s}).size(); };
+    session.keepForNextStart();
+    EXPECT_TRUE(window.files.recovery.finishWithin(60s));
+    EXPECT_EQ(kept(), 0) << "the file has it";
+    removeElsewhere();
+    session.keepForNextStart();
+    EXPECT_TRUE(window.files.recovery.finishWithin(60s));
+    EXPECT_EQ(kept(), 1);
+    EXPECT_TRUE(session.save());
+    EXPECT_TRUE(window.files.recovery.finishWithin(60s));
+    EXPECT_EQ(kept(), 0);
+}
+
 TEST_F(DocumentSessionTest, aRefusedSaveOffersAnotherName) {
     edit();
     const Document mine = value();

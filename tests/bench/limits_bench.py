@@ -213,6 +213,7 @@ def readings():
     yield "64 MiB of keys", lambda: "{" + ",".join(f'"{i}":0' for i in range(5_200_000)) + "}"
     yield "64 MiB of one key again and again", lambda: '{"format":"kriva"' + ',"k":0' * (FULL // 6 - 4) + "}"
     yield "64 MiB of blanks", lambda: " " * FULL
+    yield "64 MiB of line ends that end nothing", lambda: '{"format":"kriva"' + "\n" * (FULL - 17)
     yield "64 MiB of digits", lambda: "1" * FULL
     yield "64 MiB of escapes in a title", lambda: '{"format":"kriva","version":1,"title":"' + "\\u0041" * (
         FULL // 6 - 10) + '"}'

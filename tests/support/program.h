@@ -39,6 +39,7 @@ class Program : public testing::Test {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
             environment.remove(QString::fromUtf8(name));
+        environment.insert(QStringLiteral("LANGUAGE"), QStringLiteral("en")); // also before --language is read
         process.setProcessEnvironment(environment);
         process.setWorkingDirectory(folder_.path());
         if (!input.isEmpty())

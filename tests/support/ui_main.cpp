@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <QApplication>
 #include <QFont>
+#include <QLocale>
 #include <QTemporaryDir>
 
 namespace {
@@ -22,6 +23,7 @@ int main(int argc, char** argv) {
     moveHomeTo(home.path().toUtf8());
     qputenv("QT_QPA_PLATFORM", qEnvironmentVariable("KRIVA_TEST_PLATFORM", QStringLiteral("offscreen")).toLatin1());
     qputenv("QT_SCALE_FACTOR", "1");
+    QLocale::setDefault(QLocale(QLocale::English)); // whatever the locale of the process: what is read back is fixed
     QApplication application(argc, argv);
     QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication::setFont(QFont(QStringLiteral("DejaVu Sans"), 10));

@@ -16,6 +16,8 @@ namespace kriva::ui {
 namespace {
 
 constexpr double kInchesPerMetre = 1 / 0.0254;
+constexpr int kRowsAround =
+    16; // of a part of a PNG, above and below it: Qt is less exact at the edges of what it paints
 constexpr int kPdfResolution = 7200; // dots per inch, what Qt counts a page in: 0.0035 mm
 
 /// Puts the time that SOURCE_DATE_EPOCH gives in place of the present one, which is as long.
@@ -47,16 +49,16 @@ QByteArray writePng(const Drawing& drawing, const TextSource& texts, int dpi, in
     PngWriter png(size, drawing.hasPaper ? PngWriter::Ground::paper : PngWriter::Ground::transparent,
                   qRound(dpi * kInchesPerMetre));
     const int rowsOfPart = std::min(size.height(), std::max(1, pixelsAtOnce / size.width()));
-    QImage part(size.width(), rowsOfPart,
+    QImage part(size.width(), rowsOfPart + 2 * kRowsAround,
                 drawing.hasPaper ? QImage::Format_RGB32 : QImage::Format_ARGB32_Premultiplied);
     for (int top = 0; top < size.height(); top += rowsOfPart) {
         part.fill(drawing.hasPaper ? toQt(paperColor(drawing.theme)) : QColor(Qt::transparent));
         QPainter painter(&part);
         painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
-        painter.translate(0, -top);
+        painter.translate(0, kRowsAround - top);
         paintDrawing(painter, drawing, texts, dpi / kMillimetresPerInch);
         painter.end();
-        png.add(part, std::min(rowsOfPart, size.height() - top));
+        png.add(part, kRowsAround, std::min(rowsOfPart, size.height() - top));
     }
     return png.finish();
 }

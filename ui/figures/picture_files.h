@@ -16,7 +16,7 @@ inline constexpr int kPixelsAtOnce = 64 << 20; ///< of a PNG are painted: nearly
 [[nodiscard]] QSize pixelSize(const Page& page, int dpi);
 
 /// A picture of pixelSize, no side above kMostPixels; transparent where the drawing has no paper. The same drawing
-/// gives the same bytes.
+/// gives the same bytes, however many pixels are painted at once.
 [[nodiscard]] QByteArray writePng(const Drawing& drawing, const TextSource& texts, int dpi = kUsualDpi,
                                   int pixelsAtOnce = kPixelsAtOnce);
 

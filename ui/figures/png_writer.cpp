@@ -43,9 +43,9 @@ PngWriter::~PngWriter() {
     png_destroy_write_struct(&png_, &info_);
 }
 
-void PngWriter::add(const QImage& picture, int rows) {
+void PngWriter::add(const QImage& picture, int top, int rows) {
     const auto format = ground_ == Ground::paper ? QImage::Format_RGBX8888 : QImage::Format_RGBA8888;
-    for (int y = 0; y < rows; ++y) {
+    for (int y = top; y < top + rows; ++y) {
         QImage row(picture.constScanLine(y), picture.width(), 1, picture.bytesPerLine(), picture.format());
         row.convertTo(format);
         png_write_row(png_, row.constScanLine(0));

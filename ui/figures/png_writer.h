@@ -18,8 +18,8 @@ class PngWriter {
     PngWriter(const PngWriter&) = delete;
     PngWriter& operator=(const PngWriter&) = delete;
 
-    /// The next rows: the first ones of a picture of the same width.
-    void add(const QImage& picture, int rows);
+    /// The next rows: so many of a picture of the same width, from `top` on.
+    void add(const QImage& picture, int top, int rows);
     /// The file, after the last row.
     [[nodiscard]] QByteArray finish();
 

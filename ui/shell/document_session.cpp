@@ -28,6 +28,8 @@ DocumentSession::DocumentSession(OpenDocument& document, Preferences& preference
         if (holder == this)
             bringUp();
     });
+    connect(&watch_, &FileWatch::changed, this,
+            [this](FileState state) { recovery_.setFileGone(state == FileState::Gone); });
     connect(&recovery_, &Recovery::failed, this, [this](const WriteError& error) {
         Q_EMIT told(tr("Unsaved changes cannot be kept for a recovery: %1").arg(errorText(error, stateFolder())));
     });

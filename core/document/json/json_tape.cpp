@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <locale.h> // newlocale and uselocale: POSIX, not in <clocale>
 #include <optional>
 
@@ -29,6 +30,40 @@ class PointLocale {
   private:
     locale_t point_;
     locale_t before_;
+};
+
+bool isBlank(char c) {
+    return c == ' ' || c == '\n' || c == '\r' || c == '\t';
+}
+
+/// A place in a JSON text, whose line ends and tabs outside of texts are read as blanks. The library writes all that it
+/// skipped into a message, which nobody reads, and eight characters for each that is no blank: a GiB for a file of
+/// them.
+class BlankedPlace {
+  public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = char;
+
+    explicit BlankedPlace(const char* at)
+        : at_(at) {}
+
+    char operator*() const { return !isInText_ && isBlank(*at_) ? ' ' : *at_; }
+    BlankedPlace& operator++() {
+        if (*at_ == '"' && !isEscaped_)
+            isInText_ = !isInText_;
+        isEscaped_ = isInText_ && *at_ == '\\' && !isEscaped_;
+        ++at_;
+        return *this;
+    }
+    friend bool operator==(const BlankedPlace& a, const BlankedPlace& b) { return a.at_ == b.at_; }
+
+  private:
+    const char* at_;
+    bool isInText_ = false;
+    bool isEscaped_ = false;
 };
 
 struct Outline {
@@ -64,7 +99,7 @@ Outline outlineOf(std::string_view text) {
             token = i + 1;
             continue;
         }
-        if (c == ' ' || c == '\n' || c == '\r' || c == '\t') {
+        if (isBlank(c)) {
             token = i + 1;
             continue;
         }
@@ -209,7 +244,7 @@ std::variant<JsonTape, FileError> parseJson(std::string_view text) {
     tape.entries.reserve(std::min(outline.entries, text.size() / 2 + 1));
     TapeBuilder builder(tape);
     const PointLocale pointLocale;
-    if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder))
+    if (!nlohmann::json::sax_parse(BlankedPlace(text.data()), BlankedPlace(text.data() + text.size()), &builder))
         return builder.error(text);
     return tape;
 }

@@ -201,6 +201,36 @@ TEST_F(Canvas, crowdedFiguresAreDrawnWithFewerPoints) {
     EXPECT_FALSE(inked(rendered()).empty());
 }
 
+TEST_F(Canvas, marksOfManyCurvesTakeNoRoomFromTheirLines) {
+    constexpr int kCurves = 1'000;
+    constexpr int kPoints = 40;
+    std::vector<CanvasCurve> curves;
+    for (int i = 0; i < kCurves; ++i) {
+        Points points;
+        for (int k = 0; k < kPoints; ++k)
+            points.push_back({100 * std::sin(1.7 * k + i), 100 * std::cos(2.9 * k + 3 * i)});
+        const Figure figure{{{"curve", {{.path = polyline(points), .role = Role::curve}}},
+                             {"handles", {}, {{points, Role::handle}}},
+                             {"knots", {}, {{points, Role::knot}}}}};
+        curves.push_back({static_cast<Serial>(i + 1), figure, {}, false});
+    }
+    const auto linesOf = [&] {
+        view.setCurves(curves);
+        view.setMapping({.scale = 1, .centre = {}, .size = {300, 300}});
+        rendered();
+        qsizetype lines = 0;
+        for (const HitTarget& target : view.curves().targets())
+            for (const QPolygonF& polyline : target.lines)
+                lines += polyline.size() - 1;
+        return lines;
+    };
+    const qsizetype withMarks = linesOf();
+    for (CanvasCurve& curve : curves)
+        curve.figure.layers.resize(1);
+    EXPECT_GT(withMarks, 1'000);
+    EXPECT_GE(2 * withMarks, linesOf());
+}
+
 TEST_F(Canvas, zoomIsTheScaleOfThePageAt96Dpi) {
     QSignalSpy zooms(&view, &CanvasView::zoomChanged);
     view.setUnitScale(50);

@@ -1,5 +1,6 @@
 #include "core/bezier/evaluate.h"
 #include "core/bezier/nearest.h"
+#include "core/figure/labels.h"
 #include "ui/document/safe_write.h"
 #include "ui/figures/caption_text.h"
 #include "ui/figures/figure_file.h"
@@ -151,6 +152,21 @@ TEST(Png, hasTheSizeOfThePageAtItsResolution) {
     EXPECT_EQ(picture.pixelColor(0, 0), QColor(Qt::white));
     drawing.hasPaper = false;
     EXPECT_EQ(QImage::fromData(writePng(drawing, textSource(), 300)).pixelColor(0, 0).alpha(), 0);
+}
+
+TEST(Png, isTheSameWhereItIsPaintedInParts) {
+    Drawing drawing = drawingOfCurve(kLoop);
+    Stroke dashed{polyline(refined(kLoop, 1'000)), Role::controlPolygon};
+    dashed.style.dash = LineDash::dashed;
+    drawing.figure.layers.push_back({"control-polygon", {dashed}, {{kLoop, Role::point}}, indexedLabels("P", kLoop)});
+    drawing.page = pageOf(boxOf(drawing.figure));
+    for (const bool hasPaper : {true, false}) {
+        drawing.hasPaper = hasPaper;
+        const QByteArray whole = writePng(drawing, textSource(), 150);
+        EXPECT_TRUE(writePng(drawing, textSource(), 150, 100'000) == whole) << hasPaper;
+        EXPECT_TRUE(writePng(drawing, textSource(), 150, 10'000) == whole) << hasPaper;
+        EXPECT_EQ(QImage::fromData(whole).hasAlphaChannel(), !hasPaper);
+    }
 }
 
 TEST(Png, drawsLongCurvesWithoutSeams) {

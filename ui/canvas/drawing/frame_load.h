@@ -47,7 +47,7 @@ struct FrameLoad {
 /// Less of what is too much, by `factor`; the same where nothing is left to leave out.
 [[nodiscard]] inline Fineness coarser(Fineness fineness, const FrameLoad& load, int factor) {
     constexpr double kWidestSpacing = 8;
-    constexpr int kWidestMarkSpacing = 64;
+    constexpr int kWidestMarkSpacing = 4096; // a mark of a kind for each curve: their lines are worth more
     constexpr int kLeastShare = 4096;
     if (load.marks > FrameLoad::kMarks && fineness.markSpacing < kWidestMarkSpacing)
         fineness.markSpacing *= factor;

@@ -49,6 +49,12 @@ Recovery::~Recovery() {
 void Recovery::setFile(const QString& path, const QByteArray& hash) {
     about_.path = path;
     about_.fileHash = hash;
+    isFileGone_ = false;
+}
+
+void Recovery::setFileGone(bool isGone) {
+    if (std::exchange(isFileGone_, isGone) != isGone)
+        follow(isModified_);
 }
 
 void Recovery::adopt(FoundRecovery found) {
@@ -85,7 +91,7 @@ void Recovery::record() {
         return forget();
     if (hasNews_)
         copyMore();
-    else if (!isModified_)
+    else if (!differsFromFile())
         quiet_.start(); // a gesture that ends where it began tells nobody
 }
 
@@ -101,7 +107,7 @@ void Recovery::handOver() {
     hasNews_ = false;
     isRecorded_ = true;
     writer_.write(id_, shadow_.snapshot(), about_);
-    if (!isModified_)
+    if (!differsFromFile())
         quiet_.start();
 }
 

@@ -14,6 +14,8 @@ class Recovery : public QObject {
 
     /// Where the document belongs: an empty path where it has no file yet, and contentHash() of the file.
     void setFile(const QString& path, const QByteArray& hash);
+    /// Whether the file is not there any more: then the window has the only copy, modified or not.
+    void setFileGone(bool isGone);
     /// Goes on with what was found: the document is that one now.
     void adopt(FoundRecovery found);
     /// Hands over all that is unsaved at once; it stays beyond the end of this object, unless the work goes on.
@@ -25,7 +27,8 @@ class Recovery : public QObject {
     void failed(const kriva::ui::WriteError& error);
 
   private:
-    [[nodiscard]] bool isUnsaved() const { return isModified_ || document_.hasGesture(); }
+    [[nodiscard]] bool differsFromFile() const { return isModified_ || isFileGone_; }
+    [[nodiscard]] bool isUnsaved() const { return differsFromFile() || document_.hasGesture(); }
     void noteChange();
     void follow(bool isModified);
     void record();
@@ -39,6 +42,7 @@ class Recovery : public QObject {
     QString id_;
     RecoveryNote about_;
     bool isModified_ = false;
+    bool isFileGone_ = false;
     bool hasNews_ = false;    ///< something changed since the last that was handed over
     bool isRecorded_ = false; ///< something is on the disk, or will be
     bool isKept_ = false;

@@ -165,6 +165,15 @@ TEST(JsonTape, readsNumbersOf1000CharactersAndNoLongerOnes) {
     EXPECT_EQ(tapeOf(many + "]").entries.size(), 1002u);
 }
 
+TEST(JsonTape, hasBlanksOfEveryKindBetweenItsPartsAndBlanksAloneInTexts) {
+    EXPECT_EQ(tapeOf("\r\n[\t1,\n\t\"a\\\\\"\n,\r\"\\\"\"\t]\n").entries.size(), 4u);
+    for (const char* text : {"[\"\n\"]", "[\"\t\"]", "[\"\\\"\n\"]", "[\"\\\\\",\"\r\"]"})
+        EXPECT_EQ(refusalOf(text).problem, FileProblem::notJson) << text;
+    const FileError error = refusalOf("[1" + std::string(1000, '\n') + "2]");
+    EXPECT_EQ(error.problem, FileProblem::notJson);
+    EXPECT_EQ(error.line, 1001);
+}
+
 TEST(JsonTape, countsNoBracketsInsideTexts) {
     EXPECT_EQ(tapeOf('"' + std::string(100, '[') + "\\\"" + std::string(100, '{') + '"').entries.size(), 1u);
     std::string wide = "[";

@@ -68,7 +68,7 @@ TEST(NumberText, whatRoundsToZeroHasNoMinus) {
 
 TEST(NumberText, whatAPersonReadsIsRoundedAndHasTheMinusOfFormulas) {
     EXPECT_EQ(shownNumber(-1234.5678, 6), withMinus(formatNumber(-1234.57)));
-    EXPECT_EQ(shownNumber(-1e-7, 6), u"\u22121e\u221207");
+    EXPECT_EQ(shownNumber(-1e-7, 6), u"\u22121E\u221207");
     EXPECT_EQ(shownNumber(0.25, 6), formatNumber(0.25));
 }
 
