@@ -127,6 +127,31 @@ TEST_F(DocumentSessionTest, asksBeforeItOpensWhatAnotherProgramHasOpen) {
     EXPECT_TRUE(session.save()) << "nobody is asked";
 }
 
+TEST_F(DocumentSessionTest, whoOpenedAFileAnywayIsKnownToThoseWhoComeLater) {
+    const QString theirs = in(u"theirs.kriva"_s);
+    ASSERT_EQ(saveDocument(theirs, documentAt(7)), std::nullopt);
+    OpenFiles other;
+    OpenFiles third;
+    auto claim = other.claim(theirs, &other);
+    answerWith(u"Open anyway"_s);
+    ASSERT_TRUE(session.openFile(theirs));
+    claim = OpenFiles::HeldElsewhere{}; // they close it
+    EXPECT_TRUE(std::holds_alternative<OpenFiles::HeldElsewhere>(third.claim(theirs, &third)));
+    session.show({});
+    EXPECT_FALSE(std::holds_alternative<OpenFiles::HeldElsewhere>(third.claim(theirs, &third)));
+}
+
+TEST_F(DocumentSessionTest, aFileThatTwoWindowsWriteIsOpenUntilBothAreClosed) {
+    MainWindow second{{window.preferences, window.language, window.theme, window.files, window.sheets}};
+    second.session().show(startDocument());
+    answerWith(u"Overwrite"_s);
+    EXPECT_TRUE(second.session().saveTo(path));
+    session.show({});
+    OpenFiles other;
+    EXPECT_TRUE(std::holds_alternative<OpenFiles::HeldElsewhere>(other.claim(path, &other)));
+    EXPECT_TRUE(second.session().save()) << "nobody is asked: no other window has it";
+}
+
 TEST_F(DocumentSessionTest, asksBeforeItSavesOverWhatAnotherWindowHasOpen) {
     MainWindow second{{window.preferences, window.language, window.theme, window.files, window.sheets}};
     second.session().show(startDocument());

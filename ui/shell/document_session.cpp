@@ -87,6 +87,8 @@ bool DocumentSession::openFile(const QString& path) {
             return false;
         if (answer == OpenElsewhereAnswer::Copy)
             file = {};
+        else if (!file.claim)
+            file.claim = claimBeside(path);
     }
     document_.replace(std::move(asked->document));
     preferences_.addRecentFile(path);
@@ -101,7 +103,7 @@ bool DocumentSession::recover(FoundRecovery found) {
     document_.replace(std::move(asked->document));
     setFile({});
     if (found.note && !found.note->path.isEmpty()) {
-        setFile({found.note->path, found.note->fileHash, claim(found.note->path)});
+        setFile({found.note->path, found.note->fileHash, claimBeside(found.note->path)});
         watch_.lookSoon();
     }
     recovery_.adopt(std::move(found));
@@ -141,11 +143,11 @@ bool DocumentSession::saveTo(const QString& path) {
 
 std::optional<bool> DocumentSession::settledOtherwise(const QString& path) {
     const QString file = QFileInfo(path).fileName();
-    const bool isOwn = path == path_ || shared_.open.holderOf(path) == this;
+    const bool isOwn = path == path_ || (claim_ && claim_->isOn(path));
     OverwriteAnswer answer = OverwriteAnswer::Overwrite;
     if (isOwn && watch_.look() == FileState::Changed)
         answer = askToOverwriteChanged(file, window_);
-    else if (!(isOwn && claim_) && !claim(path))
+    else if (isOwn && claim_ ? !claim_->comesFirst() : !claim(path))
         answer = askToOverwriteOpen(file, window_);
     switch (answer) {
     case OverwriteAnswer::Overwrite:
@@ -168,8 +170,8 @@ bool DocumentSession::write(const QString& path) {
         return tellNotSaved(errorText(*error, path), window_) && saveAs();
     document_.markSaved();
     preferences_.addRecentFile(path);
-    const bool isOwn = shared_.open.holderOf(path) == this;
-    setFile({path, contentHash(bytes), isOwn ? std::move(claim_) : claim(path)});
+    const bool isOwn = claim_ && claim_->isOn(path);
+    setFile({path, contentHash(bytes), isOwn ? std::move(claim_) : claimBeside(path)});
     if (!keptRights(before, path))
         Q_EMIT told(lostRightsText(path));
     return true;

@@ -70,10 +70,11 @@ class DocumentSession : public QObject {
     struct File {
         QString path;
         QByteArray hash; ///< of what is in it
-        Claim claim;     ///< nothing where somebody else has it open as well
+        Claim claim;
     };
     /// Nothing where it is somebody else's.
     [[nodiscard]] Claim claim(const QString& path);
+    [[nodiscard]] Claim claimBeside(const QString& path) { return shared_.open.claimBeside(path, this); }
     /// Asks where somebody else wrote into the file or has it open: nothing where it is to be written all the same,
     /// else whether the document was saved in another way.
     std::optional<bool> settledOtherwise(const QString& path);

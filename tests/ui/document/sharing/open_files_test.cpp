@@ -7,7 +7,8 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
-#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace Qt::StringLiterals;
 
@@ -51,6 +52,56 @@ TEST_F(OpenFilesTest, aFileIsOneHoldersInThisProgramAndInOthers) {
     EXPECT_NE(claimed(otherProgram, path, &second), nullptr);
 }
 
+TEST_F(OpenFilesTest, whoHasAFileBesideAnotherHasItStillWhenThatOneGoes) {
+    OpenFiles thirdProgram;
+    Claim claim = claimed(files, path, &first);
+    Claim beside = otherProgram.claimBeside(path, &second);
+    EXPECT_TRUE(claim->comesFirst());
+    EXPECT_FALSE(beside->comesFirst());
+    claim.reset();
+    EXPECT_EQ(claimed(thirdProgram, path, &first), nullptr) << "nobody has asked yet who comes first";
+    EXPECT_TRUE(beside->comesFirst());
+    EXPECT_EQ(claimed(thirdProgram, path, &first), nullptr);
+    const Claim later = thirdProgram.claimBeside(path, &first);
+    EXPECT_FALSE(later->comesFirst());
+    EXPECT_TRUE(beside->comesFirst());
+    beside.reset();
+    EXPECT_EQ(claimed(files, path, &second), nullptr);
+    EXPECT_TRUE(later->comesFirst());
+}
+
+TEST_F(OpenFilesTest, nobodyHasAFileBesideAProgramThatIsNoMore) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        Claim kept = claimed(files, path, &first);
+        const Claim beside = otherProgram.claimBeside(path, &second);
+        ::_exit(beside->comesFirst() ? 1 : 0); // without giving up either
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_EQ(status, 0);
+    Claim claim = claimed(files, path, &first);
+    ASSERT_NE(claim, nullptr);
+    claim.reset();
+    EXPECT_EQ(QDir(folder.filePath(u"state/kriva/locks"_s)).entryList(QDir::Files), QStringList());
+}
+
+TEST_F(OpenFilesTest, aFileOfTwoWindowsIsThatOfTheSecondWhenTheFirstIsClosed) {
+    Claim claim = claimed(files, path, &first);
+    Claim beside = files.claimBeside(path, &second);
+    EXPECT_TRUE(claim->isOn(path));
+    EXPECT_TRUE(beside->isOn(folder.filePath(u"./a.kriva"_s)));
+    EXPECT_FALSE(beside->comesFirst());
+    EXPECT_EQ(files.holderOf(path), &first);
+    claim.reset();
+    EXPECT_EQ(files.holderOf(path), &second);
+    EXPECT_TRUE(beside->comesFirst());
+    EXPECT_EQ(claimed(otherProgram, path, &first), nullptr);
+    beside.reset();
+    EXPECT_EQ(files.holderOf(path), nullptr);
+    EXPECT_NE(claimed(otherProgram, path, &first), nullptr);
+}
+
 TEST_F(OpenFilesTest, allNamesOfAFileAreTheSame) {
     ASSERT_TRUE(QFile::link(path, folder.filePath(u"link.kriva"_s)));
     ASSERT_TRUE(QDir(folder.path()).mkdir(u"deep"_s));
@@ -81,6 +132,8 @@ TEST_F(OpenFilesTest, withoutAFolderForLocksEveryFileCanBeOpened) {
     const Claim claim = claimed(files, path, &first);
     EXPECT_NE(claim, nullptr);
     EXPECT_EQ(files.holderOf(path), &first);
+    const Claim beside = otherProgram.claimBeside(path, &second);
+    EXPECT_TRUE(beside->comesFirst()) << "nobody knows of the other";
 }
 
 TEST_F(OpenFilesTest, aNameAsLongAsNamesCanBeIsLockedToo) {
