@@ -931,6 +931,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>It is still here, as you see it.</source>
         <translation>Той е все още тук, какъвто го виждате.</translation>
     </message>
+    <message>
+        <source>What is shown here is in no file any more: without saving it is lost.</source>
+        <translation>Показаното тук вече не е в никой файл: без запазване то се губи.</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>

@@ -931,6 +931,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>It is still here, as you see it.</source>
         <translation>Še vedno je tukaj, kakršnega vidite.</translation>
     </message>
+    <message>
+        <source>What is shown here is in no file any more: without saving it is lost.</source>
+        <translation>Tega, kar je prikazano tukaj, ni več v nobeni datoteki: brez shranjevanja bo izgubljeno.</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>

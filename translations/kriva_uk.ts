@@ -931,6 +931,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>It is still here, as you see it.</source>
         <translation>Він усе ще тут, яким ви його бачите.</translation>
     </message>
+    <message>
+        <source>What is shown here is in no file any more: without saving it is lost.</source>
+        <translation>Показаного тут уже немає в жодному файлі: без збереження його буде втрачено.</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>

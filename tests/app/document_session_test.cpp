@@ -247,6 +247,62 @@ TEST_F(DocumentSessionTest, whatIsGoneFromTheDiskIsKeptForTheNextStart) {
     EXPECT_EQ(kept(), 0);
 }
 
+/// Another program puts something else in the place of the document, and a person leaves it as it is.
+class FileHoldsSomethingElse : public DocumentSessionTest {
+  protected:
+    FileHoldsSomethingElse() {
+        QSignalSpy changed(&session.fileWatch(), &FileWatch::changed);
+        EXPECT_EQ(safeWrite(path, "no document"), std::nullopt);
+        EXPECT_TRUE(changed.wait(kPatience));
+        press(u"leave"_s);
+        EXPECT_FALSE(window.window.document().isModified());
+    }
+};
+
+TEST_F(FileHoldsSomethingElse, theWindowHasTheLastOfItAndIsNotClosedUnasked) {
+    EXPECT_TRUE(window.window.isWindowModified());
+    answerWith(QMessageBox::Cancel);
+    EXPECT_FALSE(window.window.close());
+    EXPECT_EQ(bytesOf(path), "no document");
+    answerWith(QMessageBox::Discard);
+    EXPECT_TRUE(window.window.close());
+    EXPECT_EQ(bytesOf(path), "no document");
+}
+
+TEST_F(FileHoldsSomethingElse, overwritesItWhenTold) {
+    answerWith(u"Overwrite"_s);
+    EXPECT_TRUE(window.window.close());
+    EXPECT_EQ(onDisk(), documentAt(1));
+    EXPECT_FALSE(window.window.isWindowModified());
+}
+
+TEST_F(FileHoldsSomethingElse, savesUnderAnotherNameWhenTold) {
+    answerWith(u"Save as…"_s, [&] { chooseFile(in(u"mine.kriva"_s)); });
+    EXPECT_TRUE(window.window.close());
+    EXPECT_EQ(bytesOf(path), "no document");
+    EXPECT_EQ(std::get<LoadedFile>(loadDocument(in(u"mine.kriva"_s))).document, documentAt(1));
+}
+
+TEST_F(FileHoldsSomethingElse, keepsItForTheNextStart) {
+    session.keepForNextStart();
+    EXPECT_TRUE(window.files.recovery.finishWithin(60s));
+    EXPECT_EQ(QDir(in(u"state/kriva/recovery"_s)).entryList({u"*.kriva"_s}).size(), 1);
+}
+
+TEST_F(FileHoldsSomethingElse, isNoMatterOnceItIsAsItWas) {
+    QSignalSpy changed(&session.fileWatch(), &FileWatch::changed);
+    EXPECT_EQ(saveDocument(path, documentAt(1)), std::nullopt);
+    ASSERT_TRUE(changed.wait(kPatience));
+    EXPECT_FALSE(window.window.isWindowModified());
+    EXPECT_TRUE(window.window.close()) << "nobody is asked";
+}
+
+TEST_F(DocumentSessionTest, whatChangedOnTheDiskAMomentAgoIsAskedAboutToo) {
+    EXPECT_EQ(saveDocument(path, documentAt(2)), std::nullopt); // and nobody told it yet
+    answerWith(QMessageBox::Cancel);
+    EXPECT_FALSE(window.window.close());
+}
+
 TEST_F(DocumentSessionTest, aRefusedSaveOffersAnotherName) {
     edit();
     const Document mine = value();

@@ -66,9 +66,9 @@ EditedFigureAnswer askAboutEditedFigure(const QString& name, QWidget* window) {
 
 namespace {
 
-UnsavedAnswer askToSave(const QString& title, const QString& text, const QString& more, QWidget* window) {
-    using enum UnsavedAnswer;
-    return Question<UnsavedAnswer>(QMessageBox::Warning, title, text, more, window)
+SaveAnswer askToSave(const QString& title, const QString& text, const QString& more, QWidget* window) {
+    using enum SaveAnswer;
+    return Question<SaveAnswer>(QMessageBox::Warning, title, text, more, window)
         .add(QMessageBox::Save, Save)
         .add(QMessageBox::Discard, Discard)
         .add(QMessageBox::Cancel, Cancel)
@@ -77,14 +77,27 @@ UnsavedAnswer askToSave(const QString& title, const QString& text, const QString
 
 } // namespace
 
-UnsavedAnswer askAboutUnsaved(const QString& name, QWidget* window) {
+SaveAnswer askAboutUnsaved(const QString& name, QWidget* window) {
     return askToSave(Questions::tr("Unsaved changes"), Questions::tr("Save the changes to “%1”?").arg(name),
                      Questions::tr("Without saving they are lost."), window);
 }
 
-UnsavedAnswer askAboutGone(const QString& name, QWidget* window) {
+SaveAnswer askAboutGone(const QString& name, QWidget* window) {
     return askToSave(Questions::tr("The file is gone"), Questions::tr("Save “%1” again?").arg(name),
                      Questions::tr("Its file was deleted or moved elsewhere."), window);
+}
+
+SaveAnswer askAboutChanged(const QString& name, QWidget* window) {
+    using enum SaveAnswer;
+    return Question<SaveAnswer>(
+               QMessageBox::Warning, Questions::tr("Changed elsewhere"),
+               Questions::tr("Another program changed “%1” since it was opened or saved here.").arg(name),
+               Questions::tr("What is shown here is in no file any more: without saving it is lost."), window)
+        .add(Questions::tr("Save &as…"), QMessageBox::AcceptRole, SaveAs)
+        .add(Questions::tr("&Overwrite"), QMessageBox::DestructiveRole, Overwrite)
+        .add(QMessageBox::Discard, Discard)
+        .add(QMessageBox::Cancel, Cancel)
+        .ask(Cancel);
 }
 
 OpenElsewhereAnswer askAboutOpenElsewhere(const QString& name, QWidget* window) {
@@ -100,20 +113,20 @@ OpenElsewhereAnswer askAboutOpenElsewhere(const QString& name, QWidget* window) 
         .ask(Cancel);
 }
 
-OverwriteAnswer askToOverwriteOpen(const QString& name, QWidget* window) {
-    using enum OverwriteAnswer;
-    return Question<OverwriteAnswer>(QMessageBox::Warning, Questions::tr("Open elsewhere"),
-                                     Questions::tr("“%1” is open in another window or in another Kriva.").arg(name),
-                                     Questions::tr("Overwritten, it is no longer what is shown there."), window)
+SaveAnswer askToOverwriteOpen(const QString& name, QWidget* window) {
+    using enum SaveAnswer;
+    return Question<SaveAnswer>(QMessageBox::Warning, Questions::tr("Open elsewhere"),
+                                Questions::tr("“%1” is open in another window or in another Kriva.").arg(name),
+                                Questions::tr("Overwritten, it is no longer what is shown there."), window)
         .add(Questions::tr("Save &as…"), QMessageBox::AcceptRole, SaveAs)
         .add(Questions::tr("&Overwrite"), QMessageBox::DestructiveRole, Overwrite)
         .add(QMessageBox::Cancel, Cancel)
         .ask(Cancel);
 }
 
-OverwriteAnswer askToOverwriteChanged(const QString& name, QWidget* window) {
-    using enum OverwriteAnswer;
-    return Question<OverwriteAnswer>(
+SaveAnswer askToOverwriteChanged(const QString& name, QWidget* window) {
+    using enum SaveAnswer;
+    return Question<SaveAnswer>(
                QMessageBox::Warning, Questions::tr("Changed elsewhere"),
                Questions::tr("Another program changed “%1” since it was opened or saved here.").arg(name),
                Questions::tr("Overwritten, the changes made there are lost; reloaded, those made "

@@ -28,8 +28,11 @@ DocumentSession::DocumentSession(OpenDocument& document, Preferences& preference
         if (holder == this)
             bringUp();
     });
-    connect(&watch_, &FileWatch::changed, this,
-            [this](FileState state) { recovery_.setFileGone(state == FileState::Gone); });
+    connect(&watch_, &FileWatch::changed, this, [this](FileState state) {
+        recovery_.setFileDiffers(state != FileState::Same);
+        Q_EMIT unsavedChanged();
+    });
+    connect(&document, &OpenDocument::modifiedChanged, this, &DocumentSession::unsavedChanged);
     connect(&recovery_, &Recovery::failed, this, [this](const WriteError& error) {
         Q_EMIT told(tr("Unsaved changes cannot be kept for a recovery: %1").arg(errorText(error, stateFolder())));
     });
@@ -136,28 +139,43 @@ bool DocumentSession::saveAs() {
 
 bool DocumentSession::saveTo(const QString& path) {
     document_.endGesture();
-    if (const std::optional<bool> settled = settledOtherwise(path))
-        return *settled;
-    return write(path);
+    return follow(askBeforeWriting(path), path);
 }
 
-std::optional<bool> DocumentSession::settledOtherwise(const QString& path) {
+SaveAnswer DocumentSession::askBeforeWriting(const QString& path) {
     const QString file = QFileInfo(path).fileName();
     const bool isOwn = path == path_ || (claim_ && claim_->isOn(path));
-    OverwriteAnswer answer = OverwriteAnswer::Overwrite;
     if (isOwn && watch_.look() == FileState::Changed)
-        answer = askToOverwriteChanged(file, window_);
-    else if (isOwn && claim_ ? !claim_->comesFirst() : !claim(path))
-        answer = askToOverwriteOpen(file, window_);
+        return askToOverwriteChanged(file, window_);
+    const bool comesFirst = isOwn && claim_ ? claim_->comesFirst() : claim(path) != nullptr;
+    return comesFirst ? SaveAnswer::Overwrite : askToOverwriteOpen(file, window_);
+}
+
+SaveAnswer DocumentSession::askBeforeClosing() {
+    if (recovery_.isKept())
+        return SaveAnswer::Discard;
+    if (document_.isModified())
+        return askAboutUnsaved(name(), window_);
+    const FileState state = watch_.look();
+    if (state == FileState::Same)
+        return SaveAnswer::Discard;
+    return state == FileState::Gone ? askAboutGone(name(), window_) : askAboutChanged(name(), window_);
+}
+
+bool DocumentSession::follow(SaveAnswer answer, const QString& path) {
     switch (answer) {
-    case OverwriteAnswer::Overwrite:
-        return {};
-    case OverwriteAnswer::SaveAs:
+    case SaveAnswer::Save:
+        return save();
+    case SaveAnswer::SaveAs:
         return saveAs();
-    case OverwriteAnswer::Reload:
+    case SaveAnswer::Overwrite:
+        return write(path);
+    case SaveAnswer::Reload:
         reload();
         return false;
-    case OverwriteAnswer::Cancel:
+    case SaveAnswer::Discard:
+        return true;
+    case SaveAnswer::Cancel:
         return false;
     }
     return false;
@@ -179,17 +197,7 @@ bool DocumentSession::write(const QString& path) {
 
 bool DocumentSession::mayClose() {
     document_.endGesture();
-    const bool isGone = watch_.state() == FileState::Gone;
-    if (recovery_.isKept() || (!document_.isModified() && !isGone))
-        return true;
-    switch (document_.isModified() ? askAboutUnsaved(name(), window_) : askAboutGone(name(), window_)) {
-    case UnsavedAnswer::Save:
-        return save();
-    case UnsavedAnswer::Discard:
-        return true;
-    default:
-        return false;
-    }
+    return follow(askBeforeClosing(), path_);
 }
 
 DocumentSession::Claim DocumentSession::claim(const QString& path) {

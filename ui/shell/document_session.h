@@ -10,6 +10,7 @@ class QWidget;
 namespace kriva::ui {
 
 class Preferences;
+enum class SaveAnswer;
 
 /// What the documents of all windows share; it outlives them.
 struct SharedFiles {
@@ -31,6 +32,8 @@ class DocumentSession : public QObject {
     [[nodiscard]] QString name() const;
     /// How the document's file is on the disk.
     [[nodiscard]] FileWatch& fileWatch() { return watch_; }
+    /// Whether no file holds what the window shows: it was changed here, or its file elsewhere.
+    [[nodiscard]] bool isUnsaved() const { return document_.isModified() || watch_.state() != FileState::Same; }
 
     void newDocument();
     /// Asks for a file.
@@ -54,13 +57,14 @@ class DocumentSession : public QObject {
     bool saveTo(const QString& path);
     /// The document as it is in its file now; asks where changes made here would be lost.
     bool reload();
-    /// Asks whether unsaved changes should be saved, where there are any; false means: go on as before.
+    /// Asks whether what is in no file should be saved, where there is any; false means: go on as before.
     [[nodiscard]] bool mayClose();
     /// The program is about to be ended from outside: unsaved work is kept for the next start, and nobody is asked.
     void keepForNextStart() { recovery_.keep(); }
 
   Q_SIGNALS:
     void pathChanged();
+    void unsavedChanged();
     void exampleOpened(const QString& resource);
     /// A sentence for the status row.
     void told(const QString& sentence);
@@ -75,9 +79,12 @@ class DocumentSession : public QObject {
     /// Nothing where it is somebody else's.
     [[nodiscard]] Claim claim(const QString& path);
     [[nodiscard]] Claim claimBeside(const QString& path) { return shared_.open.claimBeside(path, this); }
-    /// Asks where somebody else wrote into the file or has it open: nothing where it is to be written all the same,
-    /// else whether the document was saved in another way.
-    std::optional<bool> settledOtherwise(const QString& path);
+    /// Asks where somebody else wrote into the file or has it open.
+    [[nodiscard]] SaveAnswer askBeforeWriting(const QString& path);
+    /// Asks where no file holds what the window shows.
+    [[nodiscard]] SaveAnswer askBeforeClosing();
+    /// Whether the document was saved, or is to be lost.
+    bool follow(SaveAnswer answer, const QString& path);
     bool write(const QString& path);
     void setFile(File file);
     void bringUp() const;

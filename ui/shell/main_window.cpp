@@ -136,7 +136,7 @@ void MainWindow::connectActions() {
         showTitle();
         menus_->setRecentFiles(surroundings_.preferences.recentFiles());
     });
-    connect(&document_, &OpenDocument::modifiedChanged, this, &QWidget::setWindowModified);
+    connect(session_, &DocumentSession::unsavedChanged, this, [this] { setWindowModified(session_->isUnsaved()); });
     connect(&document_, &OpenDocument::refused, this,
             [this](const FileError& error) { status_->tell(errorText(error)); });
 }

@@ -49,11 +49,11 @@ Recovery::~Recovery() {
 void Recovery::setFile(const QString& path, const QByteArray& hash) {
     about_.path = path;
     about_.fileHash = hash;
-    isFileGone_ = false;
+    isFileOther_ = false;
 }
 
-void Recovery::setFileGone(bool isGone) {
-    if (std::exchange(isFileGone_, isGone) != isGone)
+void Recovery::setFileDiffers(bool differs) {
+    if (std::exchange(isFileOther_, differs) != differs)
         follow(isModified_);
 }
 

@@ -14,8 +14,9 @@ class Recovery : public QObject {
 
     /// Where the document belongs: an empty path where it has no file yet, and contentHash() of the file.
     void setFile(const QString& path, const QByteArray& hash);
-    /// Whether the file is not there any more: then the window has the only copy, modified or not.
-    void setFileGone(bool isGone);
+    /// Whether the file does not hold any more what was read from it or written to it: then the window has the only
+    /// copy, modified or not.
+    void setFileDiffers(bool differs);
     /// Goes on with what was found: the document is that one now.
     void adopt(FoundRecovery found);
     /// Hands over all that is unsaved at once; it stays beyond the end of this object, unless the work goes on.
@@ -27,7 +28,7 @@ class Recovery : public QObject {
     void failed(const kriva::ui::WriteError& error);
 
   private:
-    [[nodiscard]] bool differsFromFile() const { return isModified_ || isFileGone_; }
+    [[nodiscard]] bool differsFromFile() const { return isModified_ || isFileOther_; }
     [[nodiscard]] bool isUnsaved() const { return differsFromFile() || document_.hasGesture(); }
     void noteChange();
     void follow(bool isModified);
@@ -42,7 +43,7 @@ class Recovery : public QObject {
     QString id_;
     RecoveryNote about_;
     bool isModified_ = false;
-    bool isFileGone_ = false;
+    bool isFileOther_ = false;
     bool hasNews_ = false;    ///< something changed since the last that was handed over
     bool isRecorded_ = false; ///< something is on the disk, or will be
     bool isKept_ = false;
