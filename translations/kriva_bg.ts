@@ -1197,6 +1197,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>a report or a figure takes at most %1 pieces of combined curves of a sheet, and these are %2</source>
         <translation>отчетът или фигурата побира най-много %1 части на комбинирани криви от един раздел, а те са %2</translation>
     </message>
+    <message>
+        <source>the encoding “%1” cannot be read</source>
+        <translation>кодирането „%1“ не може да се прочете</translation>
+    </message>
+    <message>
+        <source>“%1” is no character of XML</source>
+        <translation>„%1“ не е знак на XML</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>

@@ -1199,6 +1199,14 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>a report or a figure takes at most %1 pieces of combined curves of a sheet, and these are %2</source>
         <translation>poročilo ali slika sprejme največ %1 kosov sestavljenih krivulj enega zavihka, teh pa je %2</translation>
     </message>
+    <message>
+        <source>the encoding “%1” cannot be read</source>
+        <translation>kodiranja »%1« ni mogoče prebrati</translation>
+    </message>
+    <message>
+        <source>“%1” is no character of XML</source>
+        <translation>»%1« ni znak XML</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>

@@ -1198,6 +1198,14 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>a report or a figure takes at most %1 pieces of combined curves of a sheet, and these are %2</source>
         <translation>звіт або рисунок вміщує щонайбільше %1 частин комбінованих кривих однієї вкладки, а їх %2</translation>
     </message>
+    <message>
+        <source>the encoding “%1” cannot be read</source>
+        <translation>кодування «%1» не можна прочитати</translation>
+    </message>
+    <message>
+        <source>“%1” is no character of XML</source>
+        <translation>«%1» не є символом XML</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>

@@ -150,6 +150,10 @@ QString Errors::xmlReason(const FileError& error) {
         return tr("the entity “%1” is unknown").arg(words(error));
     case FileProblem::notInEncoding:
         return tr("this is no UTF-8, which the file says that it is");
+    case FileProblem::unknownEncoding:
+        return tr("the encoding “%1” cannot be read").arg(words(error));
+    case FileProblem::noXmlCharacter:
+        return tr("“%1” is no character of XML").arg(words(error));
     case FileProblem::internalSubset:
         return tr("the document type has declarations of its own");
     case FileProblem::tooManyElements:

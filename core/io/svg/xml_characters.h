@@ -1,6 +1,9 @@
 #pragma once
 
+#include "core/document/file_error.h"
+
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,16 +12,18 @@ namespace kriva {
 /// The size of a reference to a character, "&#65;" or "&#x41;", at the beginning of a text; 0 where there is none.
 [[nodiscard]] std::size_t characterReferenceSize(std::string_view text);
 
-/// Whether the declaration of an XML text names UTF-8 as its encoding.
-[[nodiscard]] bool saysThatItIsUtf8(std::string_view xml);
+/// Whether such a reference is to a character that XML has (XML 1.0, section 2.2): "&#xD800;" and "&#1;" are not.
+[[nodiscard]] bool isToXmlCharacter(std::string_view reference);
+
+/// Why the bytes of an XML text are not read: one of them is not of UTF-8, which the text says that it is; it names an
+/// encoding that Kriva does not read, and has more than ASCII; or there is a character that XML does not have. Where it
+/// names none, or one of a byte for each character, bytes that are no UTF-8 are no reason. Linear.
+[[nodiscard]] std::optional<FileError> xmlCharacterError(std::string_view xml);
 
 /// The first byte that is not of UTF-8; npos where there is none.
 [[nodiscard]] std::size_t firstBrokenByte(std::string_view text);
 
-/// Whether some bytes of an XML text are no UTF-8, or a reference in it is to no character, as "&#xD800;" is.
-[[nodiscard]] bool hasBrokenCharacters(std::string_view xml);
-
-/// The text with U+FFFD in place of each of these. Linear.
+/// The text with U+FFFD in place of each piece that is no UTF-8. Linear.
 [[nodiscard]] std::string withoutBrokenCharacters(std::string_view xml);
 
 /// Where a byte of withoutBrokenCharacters() stands in the text that it was made of. Linear.

@@ -17,10 +17,6 @@ bool isXmlBlank(char c) {
     return kBlanks.find(c) != std::string_view::npos;
 }
 
-bool isControl(char c) {
-    return static_cast<unsigned char>(c) < 0x20 && !isXmlBlank(c);
-}
-
 /// Bytes of characters beyond ASCII are taken for letters.
 bool isNameStart(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':' ||
@@ -111,11 +107,8 @@ class XmlOutline {
 
 bool XmlOutline::declaration() {
     take("\xEF\xBB\xBF");
-    if (xml_.find('\0') != std::string_view::npos)
-        return refuse(FileProblem::notXml, xml_.find('\0'));
-    if (saysThatItIsUtf8(xml_.substr(at_)))
-        if (const std::size_t broken = firstBrokenByte(xml_); broken != std::string_view::npos)
-            return refuse(FileProblem::notInEncoding, broken);
+    if ((fault_ = xmlCharacterError(xml_)))
+        return false;
     if (isNext("<?xml") && at_ + 5 < xml_.size() && isXmlBlank(xml_[at_ + 5]))
         return skipPast("?>");
     return true;
@@ -129,7 +122,7 @@ bool XmlOutline::text() {
     for (; at_ < xml_.size() && xml_[at_] != '<'; ++at_) {
         if (xml_[at_] == '&' && !reference())
             return false;
-        if (isControl(xml_[at_]) || isNext("]]>"))
+        if (isNext("]]>"))
             return refuse(FileProblem::notXml);
     }
     return true;
@@ -140,8 +133,11 @@ bool XmlOutline::reference() {
     constexpr std::array<std::string_view, 5> kEntities{"lt", "gt", "amp", "quot", "apos"};
     const std::size_t start = at_++;
     if (const std::size_t size = characterReferenceSize(xml_.substr(start)); size > 0) {
+        constexpr std::size_t kTold = 20; // bytes: some have any number of noughts
         at_ = start + size - 1;
-        return true;
+        const std::string_view written = xml_.substr(start, size);
+        return isToXmlCharacter(written) ||
+               refuse(FileProblem::noXmlCharacter, start, {}, {std::string(written.substr(0, kTold))});
     }
     const std::string_view name = takeName();
     if (name.empty() || !isNext(";"))
@@ -246,7 +242,7 @@ bool XmlOutline::attribute() {
     for (++at_; at_ < xml_.size() && xml_[at_] != quote; ++at_) {
         if (xml_[at_] == '&' && !reference())
             return false;
-        if (xml_[at_] == '<' || isControl(xml_[at_]))
+        if (xml_[at_] == '<')
             return refuse(FileProblem::notXml);
     }
     return take({&quote, 1}) || refuse(FileProblem::notXml);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 namespace kriva {
 namespace {
@@ -21,9 +23,13 @@ TEST(XmlError, isNothingForWhatIsWellFormed) {
         "<?xml version=\"1.0\"?><!-- - --><?pi?><!DOCTYPE svg PUBLIC '>' \"http://[]\"><a/><!-- --> <?p q?>",
         "<a:b xmlns:a='x' a:c='>'>&lt;&gt;&amp;&quot;&apos;&#65;&#x41;&#xfffd;<c><![CDATA[<&]]></c>]] ></a:b>",
         "<крива к='к'/>",
-        "<a>\xE4</a>",     // some encoding that it does not name
-        "<a>&#xD800;</a>", // no character, which is no matter of form here
+        "<a>\xE4</a>", // some encoding that it does not name
         "<?xml version='1.0' encoding='windows-1251'?><a b='\xCA'/>",
+        "<?xml version='1.0' encoding='klingon'?><a b='c'/>", // ASCII, as most are
+        "<?xml version='1.0' encoding='utf8'?><a b='č'/>",
+        "<a>&#9;&#10;&#13;&#x20;&#xd7ff;&#xe000;&#xFFFD;&#x10000;&#x10FFFF;\t\n\r\x7f</a>",
+        "<a><![CDATA[&#0;]]><!-- &#0; --></a>", // there it is no reference
+        "<?xml version='1.0' encoding='windows-1251'?><a b='\xEF\xBF\xBE'/>",
     };
     for (const std::string_view xml : wellFormed)
         EXPECT_EQ(outlineProblem(xml), std::nullopt) << xml;
@@ -57,8 +63,6 @@ TEST(XmlError, refusesWhatIsIllFormed) {
         "<a>&#x;</a>",
         "<a>&#12a;</a>",
         "<a>]]></a>",
-        "<a>\x01</a>",
-        "<a b='\x1f'/>",
         "<a><!-- -- --></a>",
         "<a><!-- ></a>",
         "<a><![CDATA[ ]></a>",
@@ -75,7 +79,53 @@ TEST(XmlError, refusesWhatIsIllFormed) {
     };
     for (const std::string_view xml : illFormed)
         EXPECT_EQ(outlineProblem(xml), FileProblem::notXml) << xml;
-    EXPECT_EQ(outlineProblem(std::string_view("<a>\0</a>", 8)), FileProblem::notXml);
+}
+
+TEST(XmlError, refusesReferencesToWhatIsNoCharacterOfXml) {
+    for (const std::string reference : {"&#0;", "&#1;", "&#x1F;", "&#xd800;", "&#xDFFF;", "&#xfffe;", "&#65535;",
+                                        "&#x110000;", "&#1114112;", "&#99999999999;"}) {
+        for (const std::string& xml : {"<a>\n b" + reference + "</a>", "<a\nb="
+                                                                       "'" +
+                                                                           reference + "'/>"}) {
+            const FileError error = xmlError(xml).value_or(FileError{});
+            EXPECT_EQ(error.problem, FileProblem::noXmlCharacter) << xml;
+            EXPECT_EQ(error.words, std::vector<std::string>{reference});
+            EXPECT_EQ(error.line, 2);
+            EXPECT_EQ(error.column, xml[3] == '\n' ? 3 : 4) << xml;
+        }
+    }
+    EXPECT_EQ(xmlError("<a>&#" + std::string(5000, '0') + ";</a>")->words.front().size(), 20u);
+}
+
+TEST(XmlError, refusesCharactersThatXmlDoesNotHaveWhereverTheyStand) {
+    using Texts = std::vector<std::pair<std::string, std::string>>;
+    const Texts characters{{std::string(1, '\0'), "U+0000"},
+                           {"\x01", "U+0001"},
+                           {"\x1f", "U+001F"},
+                           {"\xEF\xBF\xBE", "U+FFFE"},
+                           {"\xEF\xBF\xBF", "U+FFFF"}};
+    const Texts places{{"<a>", "</a>"},     {"<a b='", "'/>"},  {"<a><![CDATA[", "]]></a>"},
+                       {"<!--", "--><a/>"}, {"<?b ", "?><a/>"}, {"<?xml version='1.0' encoding='UTF-8'?><a>", "</a>"}};
+    for (const auto& [bytes, code] : characters)
+        for (const auto& [before, behind] : places) {
+            const FileError error = xmlError(before + bytes + behind).value_or(FileError{});
+            EXPECT_EQ(error.problem, FileProblem::noXmlCharacter) << before;
+            EXPECT_EQ(error.words, std::vector<std::string>{code});
+            EXPECT_EQ(error.column, static_cast<int>(before.size()) + 1);
+        }
+}
+
+TEST(XmlError, refusesAnEncodingThatItDoesNotReadWhereMoreThanAsciiIs) {
+    for (const std::string name : {"utf-16", "klingon", "Shift_JIS", "us-ascii"}) {
+        const FileError error =
+            xmlError("<?xml version='1.0' encoding=\"" + name + "\"?>\n<a b='č'/>").value_or(FileError{});
+        EXPECT_EQ(error.problem, FileProblem::unknownEncoding) << name;
+        EXPECT_EQ(error.line, 2);
+        EXPECT_EQ(error.column, 7);
+        ASSERT_EQ(error.words.size(), 1u);
+        EXPECT_TRUE(std::ranges::equal(error.words[0], name, [](char a, char b) { return (a | 0x20) == (b | 0x20); }))
+            << error.words[0];
+    }
 }
 
 TEST(XmlError, refusesMoreThanOneOutermostElement) {
