@@ -5,6 +5,7 @@
 #include "ui/document/file_rights.h"
 #include "ui/document/recovery/state_folder.h"
 #include "ui/document/sharing/content_hash.h"
+#include "ui/panels/controls/typing.h"
 #include "ui/shell/asked_document.h"
 #include "ui/shell/document_questions.h"
 #include "ui/shell/examples.h"
@@ -115,6 +116,7 @@ bool DocumentSession::recover(FoundRecovery found) {
 }
 
 bool DocumentSession::reload() {
+    endEdits();
     if (document_.isModified() && !askToReload(name(), window_))
         return false;
     std::optional<AskedDocument> asked = askedDocument(path_, window_);
@@ -138,7 +140,7 @@ bool DocumentSession::saveAs() {
 }
 
 bool DocumentSession::saveTo(const QString& path) {
-    document_.endGesture();
+    endEdits();
     return follow(askBeforeWriting(path), path);
 }
 
@@ -195,8 +197,18 @@ bool DocumentSession::write(const QString& path) {
     return true;
 }
 
-bool DocumentSession::mayClose() {
+void DocumentSession::endEdits() {
+    commitTyping(*window_);
     document_.endGesture();
+}
+
+void DocumentSession::keepForNextStart() {
+    commitTyping(*window_);
+    recovery_.keep();
+}
+
+bool DocumentSession::mayClose() {
+    endEdits();
     return follow(askBeforeClosing(), path_);
 }
 

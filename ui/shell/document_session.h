@@ -60,7 +60,7 @@ class DocumentSession : public QObject {
     /// Asks whether what is in no file should be saved, where there is any; false means: go on as before.
     [[nodiscard]] bool mayClose();
     /// The program is about to be ended from outside: unsaved work is kept for the next start, and nobody is asked.
-    void keepForNextStart() { recovery_.keep(); }
+    void keepForNextStart();
 
   Q_SIGNALS:
     void pathChanged();
@@ -85,6 +85,8 @@ class DocumentSession : public QObject {
     [[nodiscard]] SaveAnswer askBeforeClosing();
     /// Whether the document was saved, or is to be lost.
     bool follow(SaveAnswer answer, const QString& path);
+    /// What is being typed and dragged belongs to the document from now on.
+    void endEdits();
     bool write(const QString& path);
     void setFile(File file);
     void bringUp() const;

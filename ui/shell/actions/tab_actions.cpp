@@ -1,6 +1,7 @@
 #include "ui/shell/actions/tab_actions.h"
 
 #include "ui/exchange/clipboard_edits.h"
+#include "ui/panels/controls/typing.h"
 #include "ui/shell/actions/actions.h"
 #include "ui/shell/actions/menus.h"
 #include "ui/shell/document_session.h"
@@ -42,23 +43,27 @@ SheetEditor& TabActions::editor() const {
 }
 
 void TabActions::connectOutlets() {
+    const auto endEdits = [this] {
+        commitTyping(window_);
+        window_.document().endGesture();
+    };
     connect(actions_.importPoints, &QAction::triggered, this, [this] {
         if (importPoints(editor(), &window_))
             window_.currentTab().canvas().fitAll();
     });
-    connect(actions_.exportFigure, &QAction::triggered, this, [this] {
-        window_.document().endGesture();
+    connect(actions_.exportFigure, &QAction::triggered, this, [this, endEdits] {
+        endEdits();
         export_.ask(editor(), window_.session().name());
     });
-    connect(actions_.exportAgain, &QAction::triggered, this, [this] {
-        window_.document().endGesture();
+    connect(actions_.exportAgain, &QAction::triggered, this, [this, endEdits] {
+        endEdits();
         export_.again(editor(), window_.session().name());
     });
     connect(actions_.copyFigure, &QAction::triggered, this, [this] { export_.copy(editor()); });
     connect(actions_.copyTikz, &QAction::triggered, this, [this] { export_.copyTikz(editor()); });
     connect(actions_.copyPath, &QAction::triggered, this, [this] { export_.copyPath(editor()); });
-    connect(actions_.print, &QAction::triggered, this, [this] {
-        window_.document().endGesture();
+    connect(actions_.print, &QAction::triggered, this, [this, endEdits] {
+        endEdits();
         export_.print(editor(), window_.session().name());
     });
     connect(&export_, &FigureExport::told, this, &TabActions::told);
