@@ -3074,6 +3074,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Ask &amp;later about all</source>
         <translation>Питане по-къ&amp;сно за всички</translation>
     </message>
+    <message>
+        <source>Missing: the unsaved work is not there any more.</source>
+        <translation>Липсва: незапазеното вече го няма.</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::ResultsModel</name>

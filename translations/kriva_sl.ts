@@ -3084,6 +3084,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>Ask &amp;later about all</source>
         <translation>Vprašaj &amp;pozneje o vseh</translation>
     </message>
+    <message>
+        <source>Missing: the unsaved work is not there any more.</source>
+        <translation>Manjka: neshranjenega dela ni več.</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::ResultsModel</name>

@@ -3079,6 +3079,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>Ask &amp;later about all</source>
         <translation>Запитати про всі пі&amp;зніше</translation>
     </message>
+    <message>
+        <source>Missing: the unsaved work is not there any more.</source>
+        <translation>Відсутнє: незбереженого вже немає.</translation>
+    </message>
 </context>
 <context>
     <name>kriva::ui::ResultsModel</name>

@@ -31,6 +31,7 @@ class RecoveryDialogTest : public testing::Test {
         found.push_back(foundOf(u"/home/a/<img src=b>.kriva"_s, RecoveryState::Whole));
         found.push_back(foundOf({}, RecoveryState::Damaged));
         found.push_back(foundOf({}, RecoveryState::Unreadable));
+        found.push_back(foundOf(u"/home/a/c.kriva"_s, RecoveryState::Missing));
     }
     [[nodiscard]] static QList<QComboBox*> boxes(RecoveryDialog& dialog) { return dialog.findChildren<QComboBox*>(); }
     static void press(RecoveryDialog& dialog, const QString& button) {
@@ -47,7 +48,8 @@ TEST_F(RecoveryDialogTest, recoversWhatItCanAndDiscardsNothingByItself) {
     RecoveryDialog dialog(found);
     dialog.show();
     press(dialog, u"goOn"_s);
-    EXPECT_EQ(dialog.choices(), (Choices{RecoveryChoice::Recover, RecoveryChoice::Recover, RecoveryChoice::Later}));
+    EXPECT_EQ(dialog.choices(), (Choices{RecoveryChoice::Recover, RecoveryChoice::Recover, RecoveryChoice::Later,
+                                         RecoveryChoice::Later}));
 }
 
 TEST_F(RecoveryDialogTest, asksForEachDocument) {
@@ -56,9 +58,11 @@ TEST_F(RecoveryDialogTest, asksForEachDocument) {
     boxes(dialog)[0]->setFocus();
     QTest::keyClicks(boxes(dialog)[0], u"D"_s);
     QTest::keyClicks(boxes(dialog)[1], u"A"_s);
-    EXPECT_EQ(boxes(dialog)[2]->findText(u"Recover"_s), -1) << "there is nothing to recover from";
+    for (const int nothing : {2, 3})
+        EXPECT_EQ(boxes(dialog)[nothing]->findText(u"Recover"_s), -1) << "there is nothing to recover from";
     press(dialog, u"goOn"_s);
-    EXPECT_EQ(dialog.choices(), (Choices{RecoveryChoice::Discard, RecoveryChoice::Later, RecoveryChoice::Later}));
+    EXPECT_EQ(dialog.choices(),
+              (Choices{RecoveryChoice::Discard, RecoveryChoice::Later, RecoveryChoice::Later, RecoveryChoice::Later}));
 }
 
 TEST_F(RecoveryDialogTest, closedWithoutAnAnswerEverythingStays) {
@@ -67,7 +71,7 @@ TEST_F(RecoveryDialogTest, closedWithoutAnAnswerEverythingStays) {
         dialog.show();
         boxes(dialog)[0]->setCurrentIndex(2);
         byKey ? QTest::keyClick(&dialog, Qt::Key_Escape) : press(dialog, u"later"_s);
-        EXPECT_EQ(dialog.choices(), Choices(3, RecoveryChoice::Later));
+        EXPECT_EQ(dialog.choices(), Choices(4, RecoveryChoice::Later));
     }
 }
 
@@ -78,14 +82,16 @@ TEST_F(RecoveryDialogTest, saysWhatItIsAboutInEveryLanguageWithoutReadingNamesAs
         EXPECT_TRUE(label->textFormat() == Qt::PlainText || label->text().isEmpty());
     const QStringList texts = test::visibleTexts(dialog);
     const QString all = texts.join(u'\n');
-    for (const QString& part : {u"<img src=b>.kriva"_s, u"/home/a · changed "_s, u"never saved"_s,
-                                u"Damaged: look closely"_s, u"it cannot be read any more"_s})
+    for (const QString& part :
+         {u"<img src=b>.kriva"_s, u"/home/a · changed "_s, u"never saved"_s, u"Damaged: look closely"_s,
+          u"it cannot be read any more"_s, u"Missing: the unsaved work"_s})
         EXPECT_TRUE(all.contains(part)) << part.toStdString() << " in\n" << all.toStdString();
     for (const Language other : {Language::Bulgarian, Language::Slovenian, Language::Ukrainian}) {
         language.setLanguage(other);
         QApplication::processEvents();
         const QString changed = test::visibleTexts(dialog).join(u'\n');
-        for (const QString& part : {u"entry: Recover"_s, u"Discard"_s, u"Ask"_s, u"Damaged"_s, u"Continue"_s})
+        for (const QString& part :
+             {u"entry: Recover"_s, u"Discard"_s, u"Ask"_s, u"Damaged"_s, u"Missing"_s, u"Continue"_s})
             EXPECT_FALSE(changed.contains(part)) << part.toStdString();
         RecoveryDialog fresh(found);
         EXPECT_EQ(test::visibleTexts(fresh), test::visibleTexts(dialog));

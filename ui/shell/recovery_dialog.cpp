@@ -117,7 +117,7 @@ RecoveryDialog::Row RecoveryDialog::makeRow(const FoundRecovery& found, QWidget*
     row.place->setMinimumWidth(kPlaceWidth);
     if (found.state != RecoveryState::Whole)
         row.damage = new PlainLabel(parent);
-    if (found.state != RecoveryState::Unreadable)
+    if (found.state == RecoveryState::Whole || found.state == RecoveryState::Damaged)
         add(*row.choice, RecoveryChoice::Recover);
     add(*row.choice, RecoveryChoice::Later);
     add(*row.choice, RecoveryChoice::Discard);
@@ -134,9 +134,7 @@ void RecoveryDialog::retranslate(const Row& row) {
             ? tr("never saved · changed %1", "a document and a time").arg(time)
             : tr("%1 · changed %2", "a folder and a time").arg(shownFolder(path, row.place->fontMetrics()), time));
     if (row.damage)
-        row.damage->setText(row.found->state == RecoveryState::Unreadable
-                                ? tr("Damaged: it cannot be read any more.")
-                                : tr("Damaged: look closely at what is recovered."));
+        row.damage->setText(damageText(row.found->state));
     row.choice->setAccessibleName(tr("What to do with %1").arg(name));
     for (int i = 0; i < row.choice->count(); ++i) {
         switch (static_cast<RecoveryChoice>(row.choice->itemData(i).toInt())) {
@@ -151,6 +149,20 @@ void RecoveryDialog::retranslate(const Row& row) {
             break;
         }
     }
+}
+
+QString RecoveryDialog::damageText(RecoveryState state) {
+    switch (state) {
+    case RecoveryState::Whole:
+        return {};
+    case RecoveryState::Damaged:
+        return tr("Damaged: look closely at what is recovered.");
+    case RecoveryState::Unreadable:
+        return tr("Damaged: it cannot be read any more.");
+    case RecoveryState::Missing:
+        return tr("Missing: the unsaved work is not there any more.");
+    }
+    return {};
 }
 
 std::vector<RecoveryChoice> RecoveryDialog::choices() const {

@@ -39,6 +39,7 @@ class RecoveryDialog : public QDialog {
     [[nodiscard]] QWidget* makeRows(std::span<const FoundRecovery> found);
     [[nodiscard]] Row makeRow(const FoundRecovery& found, QWidget* parent) const;
     static void retranslate(const Row& row);
+    [[nodiscard]] static QString damageText(RecoveryState state);
     void retranslateUi();
 
     QLabel* title_;

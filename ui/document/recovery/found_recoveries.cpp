@@ -26,8 +26,16 @@ constexpr qint64 kLargestNote = 64 << 10;
     return read ? readNote(*read) : std::nullopt;
 }
 
+[[nodiscard]] bool isThere(const QFileInfo& file) {
+    return file.exists() || file.isSymLink();
+}
+
 /// Reads the work once, to see what is left of it.
 void lookAt(FoundRecovery& found) {
+    if (!isThere(QFileInfo(found.files.document()))) {
+        found.state = RecoveryState::Missing;
+        return;
+    }
     const auto bytes = readRecovery(found);
     found.state = RecoveryState::Unreadable;
     if (const QByteArray* read = std::get_if<QByteArray>(&bytes))
@@ -46,14 +54,13 @@ void lookAt(FoundRecovery& found) {
     if (!lockNow(*lock))
         return {};
     const QFileInfo document(files.document());
-    if (!document.exists() && !document.isSymLink()) {
-        removeRecovery(files); // a note without work: the program ended before it wrote any
+    const QFileInfo note(files.note());
+    if (!isThere(document) && !isThere(note))
         return {};
-    }
     FoundRecovery found{std::move(files), std::move(lock), {}, {}, {}, {}};
     found.note = loadNote(found.files);
     lookAt(found);
-    found.time = found.note ? found.note->time.toLocalTime() : document.lastModified();
+    found.time = found.note ? found.note->time.toLocalTime() : (isThere(document) ? document : note).lastModified();
     return found;
 }
 

@@ -40,7 +40,7 @@ struct RecoveryFiles {
 [[nodiscard]] std::optional<WriteError> writeRecovery(const RecoveryFiles& files, const RecoveryNote& note,
                                                       QByteArrayView document);
 
-/// Removes both, the work first: a note alone is nothing to recover.
+/// Removes both, the work first: what was given up is not offered again.
 void removeRecovery(const RecoveryFiles& files);
 
 } // namespace kriva::ui

@@ -83,10 +83,24 @@ TEST_F(RecoveryFilesTest, theWorkBeforeIsWholeUntilTheNewOneIsThere) {
     EXPECT_EQ(found()[0].state, RecoveryState::Whole);
 }
 
-TEST_F(RecoveryFilesTest, aNoteWithoutWorkIsNothingToRecover) {
+TEST_F(RecoveryFilesTest, aNoteWithoutWorkIsToldAndStaysUntilItIsDiscarded) {
     put(files.note(), writeNote(noteOf(work)));
-    EXPECT_TRUE(found().empty());
+    ASSERT_EQ(found().size(), 1U);
+    EXPECT_EQ(found()[0].state, RecoveryState::Missing);
+    EXPECT_EQ(found()[0].note, noteOf(work));
+    EXPECT_EQ(found()[0].time, noteOf(work).time);
+    EXPECT_EQ(names(), QStringList{QFileInfo(files.note()).fileName()});
+    put(files.note(), "{");
+    ASSERT_EQ(found().size(), 1U);
+    EXPECT_EQ(found()[0].note, std::nullopt);
+    EXPECT_TRUE(found()[0].time.isValid());
+    discardRecovery(std::move(found().at(0)));
     EXPECT_EQ(names(), QStringList());
+}
+
+TEST_F(RecoveryFilesTest, aLockAloneIsNothingToRecover) {
+    put(files.lock(), "");
+    EXPECT_TRUE(found().empty());
 }
 
 TEST_F(RecoveryFilesTest, workWithoutANoteIsOfferedWithAWarning) {
