@@ -2451,6 +2451,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>line %1, column %2</source>
         <translation>ред %1, колона %2</translation>
     </message>
+    <message>
+        <source>a curve takes at most %1 points</source>
+        <translation>кривата побира най-много %1 точки</translation>
+    </message>
 </context>
 <context>
     <name>Values</name>

@@ -2453,6 +2453,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>line %1, column %2</source>
         <translation>vrstica %1, stolpec %2</translation>
     </message>
+    <message>
+        <source>a curve takes at most %1 points</source>
+        <translation>krivulja sprejme največ %1 točk</translation>
+    </message>
 </context>
 <context>
     <name>Values</name>

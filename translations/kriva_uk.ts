@@ -2452,6 +2452,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>line %1, column %2</source>
         <translation>рядок %1, стовпець %2</translation>
     </message>
+    <message>
+        <source>a curve takes at most %1 points</source>
+        <translation>крива вміщує щонайбільше %1 точок</translation>
+    </message>
 </context>
 <context>
     <name>Values</name>

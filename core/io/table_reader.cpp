@@ -146,6 +146,8 @@ bool TableReader::add(double curve, Point at) {
         return refuse(TableProblem::tooManyPoints, line_, false);
     if (std::exchange(curve_, curve) != curve)
         curves_.emplace_back();
+    if (curves_.back().size() == limits::kPointsInCurve)
+        return refuse(TableProblem::tooManyPointsInCurve, line_, false);
     curves_.back().push_back(at);
     return true;
 }

@@ -19,6 +19,8 @@ class TableErrors {
             return tr("there are no points");
         case TableProblem::tooManyPoints:
             return tr("more than %1 points are too many").arg(limits::kPointsInSheet);
+        case TableProblem::tooManyPointsInCurve:
+            return tr("a curve takes at most %1 points").arg(limits::kPointsInCurve);
         case TableProblem::notTwoNumbers:
             return tr("expected two numbers");
         case TableProblem::noNumber:

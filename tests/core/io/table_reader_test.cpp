@@ -110,15 +110,28 @@ TEST(TableReader, takesNumbersUpToTheLimitOfTheModel) {
     EXPECT_EQ(readPoints("0\t-1000000000.5"), std::nullopt);
 }
 
-TEST(TableReader, takesAsManyPointsAsASheetMayHave) {
-    const std::string most = "x\ty\n" + repeated("1\t2\n", limits::kPointsInSheet);
+TEST(TableReader, takesAsManyPointsAsACurveMayHave) {
+    const std::string most = "x\ty\n" + repeated("1\t2\n", limits::kPointsInCurve);
     const auto points = readPoints(most);
     ASSERT_TRUE(points);
-    EXPECT_EQ(points->size(), limits::kPointsInSheet);
+    EXPECT_EQ(points->size(), limits::kPointsInCurve);
+    constexpr int kLine = static_cast<int>(limits::kPointsInCurve) + 2;
+    EXPECT_EQ(refusal(most + "\n1\t2\n"), (TableError{TableProblem::tooManyPointsInCurve, kLine + 1, 1, {}}));
+    EXPECT_EQ(refusal(repeated("1,2\n", limits::kPointsInCurve + 1)),
+              (TableError{TableProblem::tooManyPointsInCurve, kLine - 1, 1, {}}));
+}
+
+TEST(TableReader, takesAsManyPointsAsASheetMayHave) {
+    constexpr std::size_t kCurves = limits::kPointsInSheet / limits::kPointsInCurve;
+    std::string most = "c\tp\tx\ty\n";
+    for (std::size_t curve = 0; curve < kCurves; ++curve)
+        most += repeated(std::string{static_cast<char>('0' + curve)} + "\t0\t1\t2\n", limits::kPointsInCurve);
+    const auto curves = readCurves(most);
+    ASSERT_TRUE(curves);
+    EXPECT_EQ(curves->size(), kCurves);
     constexpr int kLine = static_cast<int>(limits::kPointsInSheet) + 2;
-    EXPECT_EQ(refusal(most + "1\t2\n"), (TableError{TableProblem::tooManyPoints, kLine, 1, {}}));
-    EXPECT_EQ(refusal(repeated("1,2\n", limits::kPointsInSheet + 1)),
-              (TableError{TableProblem::tooManyPoints, kLine - 1, 1, {}}));
+    EXPECT_EQ(refusal(most + "10\t0\t1\t2\n"), (TableError{TableProblem::tooManyPoints, kLine, 1, {}}));
+    EXPECT_EQ(refusal(most + "9\t0\t1\t2\n").line, kLine);
 }
 
 TEST(TableReader, saysWhereItIsRefusedAndWhy) {

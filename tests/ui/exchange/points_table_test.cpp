@@ -21,8 +21,8 @@ TEST(PointsTable, saysWhereATableIsRefusedAndWhy) {
               QString::fromUtf8("line 2, column 1: “2e9” is not from -1000000000 to 1000000000"));
     EXPECT_EQ(refusal("1,5;2\n1.5;2"),
               QString::fromUtf8("line 2, column 1: “1.5” has another decimal sign than the numbers before it"));
-    EXPECT_EQ(refusal(QByteArray("1\t2\n").repeated(static_cast<qsizetype>(limits::kPointsInSheet) + 1).toStdString()),
-              QStringLiteral("line 1000001, column 1: more than 1000000 points are too many"));
+    EXPECT_EQ(refusal(QByteArray("1\t2\n").repeated(static_cast<qsizetype>(limits::kPointsInCurve) + 1).toStdString()),
+              QStringLiteral("line 100001, column 1: a curve takes at most 100000 points"));
 }
 
 TEST(PointsTable, tellsOnlyTheBeginningOfALongCell) {
