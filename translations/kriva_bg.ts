@@ -1205,6 +1205,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>“%1” is no character of XML</source>
         <translation>„%1“ не е знак на XML</translation>
     </message>
+    <message>
+        <source>%1: there is no file of this name, and one whose name is no UTF-8 cannot be opened</source>
+        <translation>%1: няма файл с това име, а файл, чието име не е в UTF-8, не може да се отвори</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>

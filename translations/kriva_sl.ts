@@ -1207,6 +1207,10 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <source>“%1” is no character of XML</source>
         <translation>»%1« ni znak XML</translation>
     </message>
+    <message>
+        <source>%1: there is no file of this name, and one whose name is no UTF-8 cannot be opened</source>
+        <translation>%1: datoteke s tem imenom ni, datoteke, katere ime ni v UTF-8, pa ni mogoče odpreti</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>

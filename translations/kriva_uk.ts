@@ -1206,6 +1206,10 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <source>“%1” is no character of XML</source>
         <translation>«%1» не є символом XML</translation>
     </message>
+    <message>
+        <source>%1: there is no file of this name, and one whose name is no UTF-8 cannot be opened</source>
+        <translation>%1: файлу з такою назвою немає, а файл, назва якого не в UTF-8, не можна відкрити</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>

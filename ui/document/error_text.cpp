@@ -189,7 +189,11 @@ QString Errors::place(const FileError& error) {
 QString Errors::fault(const ReadError& error, const QString& path) {
     switch (error.fault) {
     case ReadFault::Missing:
-        return tr("%1: there is no such file").arg(path);
+        // Whoever reads a name that is no UTF-8 has this in place of what is none, and asks for another file.
+        return (path.contains(QChar::ReplacementCharacter)
+                    ? tr("%1: there is no file of this name, and one whose name is no UTF-8 cannot be opened")
+                    : tr("%1: there is no such file"))
+            .arg(path);
     case ReadFault::NotRegular:
         return tr("%1: this is no regular file").arg(path);
     case ReadFault::TooLarge:

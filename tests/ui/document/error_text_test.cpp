@@ -102,6 +102,14 @@ TEST(ErrorText, ofAFigureNamesTheLineOfTheDocumentInsideAndNoPathInIt) {
     EXPECT_EQ(ofDocument("<svg/>"), "this figure has no document of Kriva inside");
 }
 
+TEST(ErrorText, ofAMissingFileIsTrueOfOneWhoseNameIsNoUtf8) {
+    const ReadError missing{ReadFault::Missing};
+    EXPECT_EQ(errorText(missing, QStringLiteral("a.svg")), QStringLiteral("a.svg: there is no such file"));
+    EXPECT_EQ(errorText(missing, QStringLiteral("a\uFFFD.svg")),
+              QStringLiteral("a\uFFFD.svg: there is no file of this name, and one whose name is no UTF-8 cannot be "
+                             "opened"));
+}
+
 TEST(ErrorText, ofAnSvgNamesItsLineAndWhatIsWrongThere) {
     EXPECT_EQ(ofImport("<svg>\n<g>"), "line 2, column 4: this is no XML");
     EXPECT_EQ(ofImport("<svg/>\n<svg/>"),
