@@ -13,6 +13,7 @@
 #include <QListView>
 #include <QMenu>
 #include <QMessageBox>
+#include <QSignalSpy>
 #include <QStyledItemDelegate>
 #include <QTimer>
 #include <QToolTip>
@@ -139,6 +140,34 @@ TEST_F(OutsideText, ofRecentFilesHasNoMnemonicsAndNoHtml) {
     ASSERT_NE(recent, actions.end());
     EXPECT_EQ((*recent)->text(), QStringLiteral("a && <b>b<\\u202e.kriva"));
     EXPECT_EQ((*recent)->toolTip(), toolTipOf(inFolder(name)));
+}
+
+TEST_F(OutsideText, ofALongNameWidensNeitherTheMenuOfRecentFilesNorTheWindow) {
+    const QString name = QString(100, u'w') + QStringLiteral(".a & b.") + QString(135, u'm') + QStringLiteral(".kriva");
+    ASSERT_LE(name.size(), 255);
+    write(inFolder(name), QString::fromStdString(writeDocument({})));
+    test::TestWindow window;
+    const int narrowest = window.window.minimumSizeHint().width();
+    ui::FileWatch& watch = window.window.session().fileWatch();
+    watch.setPause(std::chrono::milliseconds(1));
+    ASSERT_TRUE(window.window.session().openFile(inFolder(name)));
+    const auto actions = window.window.findChildren<QAction*>();
+    const auto recent = std::ranges::find_if(
+        actions, [](const QAction* action) { return action->text().startsWith(QStringLiteral("www")); });
+    ASSERT_NE(recent, actions.end());
+    EXPECT_TRUE((*recent)->text().contains(u'…'));
+    EXPECT_TRUE((*recent)->text().endsWith(QStringLiteral("m.kriva")));
+    EXPECT_EQ((*recent)->toolTip(), toolTipOf(inFolder(name)));
+    const auto* menu = qobject_cast<QMenu*>((*recent)->associatedObjects().constFirst());
+    ASSERT_NE(menu, nullptr);
+    EXPECT_LT(menu->sizeHint().width(), 600);
+
+    QSignalSpy changed(&watch, &ui::FileWatch::changed);
+    ASSERT_TRUE(QFile::remove(inFolder(name)));
+    ASSERT_TRUE(changed.wait(60'000));
+    ASSERT_TRUE(window.window.findChild<QWidget*>(QStringLiteral("notice"))->isVisible());
+    QApplication::processEvents();
+    EXPECT_LE(window.window.minimumSizeHint().width(), std::max(narrowest, 900));
 }
 
 TEST_F(OutsideText, ofAFileWhoseNameHasTheSignOfAModifiedDocumentStaysInTheTitle) {

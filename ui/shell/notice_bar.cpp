@@ -12,6 +12,7 @@ namespace kriva::ui {
 namespace {
 
 constexpr int kNoticeMargin = 6; // px: a row that is seen, and takes little of the canvas
+constexpr int kNameWidth = 400;  // px: of most names all is seen; a name is one word, and would widen the window
 
 } // namespace
 
@@ -59,9 +60,11 @@ void NoticeBar::changeEvent(QEvent* event) {
 
 void NoticeBar::retranslateUi() {
     const bool isGone = state_ == FileState::Gone;
+    const QString name = text_->fontMetrics().elidedText(printable(session_.name()), Qt::ElideMiddle, kNameWidth);
     text_->setText((isGone ? tr("The file “%1” was deleted or moved by another program.")
                            : tr("Another program changed the file “%1”."))
-                       .arg(printable(session_.name())));
+                       .arg(name));
+    text_->setToolTip(toolTipOf(session_.path()));
     action_->setText(isGone ? tr("Save again") : tr("Reload"));
     leave_->setText(tr("Leave as it is"));
 }

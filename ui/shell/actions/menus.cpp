@@ -9,6 +9,11 @@
 #include <QFileInfo>
 
 namespace kriva::ui {
+namespace {
+
+constexpr int kNameWidth = 400; // px: of most names all is seen, and the menu stays on the screen
+
+} // namespace
 
 Menus::Menus(QMenuBar& bar, QToolBar& tools, const Actions& actions)
     : QObject(&bar)
@@ -134,7 +139,9 @@ void Menus::fillExamples(QMenu* file) {
 void Menus::setRecentFiles(const QStringList& paths) {
     recent_->clear();
     for (const QString& path : paths) {
-        QAction* action = recent_->addAction(actionTextOf(QFileInfo(path).fileName()));
+        const QString name = printable(QFileInfo(path).fileName());
+        const QString shown = recent_->fontMetrics().elidedText(name, Qt::ElideMiddle, kNameWidth);
+        QAction* action = recent_->addAction(actionTextOf(shown));
         action->setToolTip(toolTipOf(path));
         connect(action, &QAction::triggered, this, [this, path] { Q_EMIT recentFileChosen(path); });
     }
