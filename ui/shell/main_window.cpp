@@ -249,10 +249,12 @@ void MainWindow::showTheme() {
         tab->canvas().setTheme(surroundings_.theme.isDark() ? Theme::dark : Theme::light);
 }
 
-void MainWindow::showEvent(QShowEvent* event) {
-    QMainWindow::showEvent(event);
-    // A tab that is shown together with its window has its size only now.
-    currentTab().panels().layOut();
+void MainWindow::setVisible(bool isVisible) {
+    QMainWindow::setVisible(isVisible);
+    // A tab that is shown together with its window has its size only now. Panels that float come behind the window:
+    // else some window managers do not know yet what they belong to, and leave them under it.
+    if (isVisible)
+        currentTab().panels().layOut();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

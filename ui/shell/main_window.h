@@ -39,6 +39,7 @@ class MainWindow : public QMainWindow {
     /// In the present language.
     [[nodiscard]] QString sheetTitle(SheetIndex sheet) const;
     [[nodiscard]] SheetTab& currentTab() { return *tabs_[document_.value().active]; }
+    void setVisible(bool isVisible) override;
 
   Q_SIGNALS:
     /// A further window is wanted; who makes windows makes it.
@@ -46,7 +47,6 @@ class MainWindow : public QMainWindow {
 
   protected:
     void changeEvent(QEvent* event) override;
-    void showEvent(QShowEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
 
   private:
