@@ -9,7 +9,9 @@
 
 #include <gtest/gtest.h>
 #include <QClipboard>
+#include <QCompleter>
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QListView>
 #include <QMenu>
 #include <QMessageBox>
@@ -276,7 +278,7 @@ TEST_F(OutsideText, ofAFileThatWouldBeOverwrittenStandsInTheQuestionOfTheFileDia
 }
 
 TEST_F(OutsideText, ofANameOfAFileIsNotTurnedAroundInTheListsOfTheFileDialog) {
-    const QString name = QStringLiteral("a\u202Egpj.svg");
+    const QString name = QStringLiteral("a\u202Eg\npj.svg");
     write(inFolder(name), QStringLiteral("1 2\n"));
     TestWindow window;
     QFileDialog dialog(&window.window, QString(), inFolder(QString()));
@@ -287,11 +289,15 @@ TEST_F(OutsideText, ofANameOfAFileIsNotTurnedAroundInTheListsOfTheFileDialog) {
         if (const auto* names = qobject_cast<const QStyledItemDelegate*>(view->itemDelegate());
             names &&
             (view->objectName() == QLatin1String("listView") || view->objectName() == QLatin1String("treeView"))) {
-            EXPECT_EQ(names->displayText(name, QLocale()), QStringLiteral("a\\u202egpj.svg"));
+            EXPECT_EQ(names->displayText(name, QLocale()), QStringLiteral("a\\u202eg\\u000apj.svg"));
             ++lists;
         }
     }
     EXPECT_EQ(lists, 2);
+    const auto* field = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    const auto* completions = qobject_cast<const QStyledItemDelegate*>(field->completer()->popup()->itemDelegate());
+    ASSERT_NE(completions, nullptr);
+    EXPECT_EQ(completions->displayText(name, QLocale()), QStringLiteral("a\\u202eg\\u000apj.svg"));
 }
 
 TEST_F(OutsideText, whatAnEditIsRefusedForIsSaidWithoutAPathIntoADocument) {

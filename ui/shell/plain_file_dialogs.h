@@ -5,7 +5,8 @@
 namespace kriva::ui {
 
 /// Keeps Qt's own file dialog from being led astray by the names of files, as long as this lives: its questions ("%1
-/// already exists") do not read them as HTML, and its lists show them as printable() does.
+/// already exists") do not read them as HTML, and its lists, that of what completes a name too, show them as
+/// printable() does.
 class PlainFileDialogs : public QObject {
     Q_OBJECT
   public:
