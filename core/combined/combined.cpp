@@ -63,6 +63,24 @@ Combined combine(const CombinedCurve& curve) {
     return withoutLimit([&](WorkBudget& budget) { return combine(curve, budget); });
 }
 
+std::size_t interpolatedPairs(const CombinedCurve& curve) {
+    if (isIncomplete(curve) || curve.method != CombinedCurve::Method::interpolation)
+        return 0;
+    std::size_t pairs = 0;
+    for (const MonotoneRun& run : monotoneRuns(curve.points))
+        pairs += run.size() * run.size();
+    return pairs;
+}
+
+std::size_t pathPieces(const CombinedCurve& curve) {
+    if (isIncomplete(curve))
+        return 0;
+    const std::vector<MonotoneRun> runs = monotoneRuns(curve.points);
+    const std::size_t joins = runs.size() - 1;
+    const bool isOfPairs = curve.method == CombinedCurve::Method::pairs;
+    return joins + (isOfPairs ? curve.points.size() - runs.size() : runs.size());
+}
+
 std::vector<PairMiddle> pairMiddles(const Combined& combined) {
     std::vector<PairMiddle> middles;
     for (const PathPiece& piece : combined.path) {

@@ -30,6 +30,11 @@ struct Combined {
 [[nodiscard]] std::optional<Combined> combine(const CombinedCurve& curve, WorkBudget& budget);
 [[nodiscard]] Combined combine(const CombinedCurve& curve);
 
+/// The sum over the runs under interpolation of the squares of their points: what makes interpolating long. Linear.
+[[nodiscard]] std::size_t interpolatedPairs(const CombinedCurve& curve);
+/// About how many pieces the path has: runs or the pairs in them, and as many joins as there can be. Linear.
+[[nodiscard]] std::size_t pathPieces(const CombinedCurve& curve);
+
 /// What a pair is bent by: the middle point of its quadratic, or the point where its two quadratics meet.
 struct PairMiddle {
     int pair = 0; ///< its first point

@@ -26,14 +26,18 @@ std::map<int, Point> followed(const std::map<int, Point>& corrections, const Ind
 }
 
 /// Middle points beyond the limit of numbers are no grips: they could not be kept as corrections.
-std::vector<Grip> middleGrips(const CombinedCurve& curve) {
+std::vector<Grip> middleGrips(const Combined& combined) {
     std::vector<Grip> grips;
-    if (curve.method != CombinedCurve::Method::pairs || isIncomplete(curve))
-        return grips;
-    for (const PairMiddle& middle : pairMiddles(combine(curve)))
+    for (const PairMiddle& middle : pairMiddles(combined))
         if (isWithin(middle.at, limits::kNumber))
             grips.push_back({{GripKind::middle, middle.pair}, middle.at});
     return grips;
+}
+
+/// The path if it has middle points, else nothing of it.
+Combined solved(const CombinedCurve& curve) {
+    const bool hasMiddles = curve.method == CombinedCurve::Method::pairs && !isIncomplete(curve);
+    return hasMiddles ? combine(curve) : Combined();
 }
 
 /// The point behind which the next one is farthest away.
@@ -57,8 +61,12 @@ int longestStep(std::span<const Point> points) {
 } // namespace
 
 std::vector<Grip> grips(const CombinedCurve& curve) {
+    return grips(curve, solved(curve));
+}
+
+std::vector<Grip> grips(const CombinedCurve& curve, const Combined& combined) {
     std::vector<Grip> all = pointGrips(curve.points);
-    const std::vector<Grip> middles = middleGrips(curve);
+    const std::vector<Grip> middles = middleGrips(combined);
     all.insert(all.end(), middles.begin(), middles.end());
     return all;
 }
@@ -90,8 +98,10 @@ CombinedCurve withGripsMoved(const CombinedCurve& curve, std::span<const GripId>
     moved.points = withPointsMoved(curve.points, ids, by);
     if (std::ranges::none_of(ids, [](const GripId& id) { return id.kind == GripKind::middle; }))
         return moved;
-    for (const Grip& grip : middleGrips(curve))
-        if (std::ranges::find(ids, grip.id) != ids.end())
+    std::vector<GripId> sorted(ids.begin(), ids.end()); // there may be as many as points
+    std::ranges::sort(sorted);
+    for (const Grip& grip : middleGrips(solved(curve)))
+        if (std::ranges::binary_search(sorted, grip.id))
             moved.corrections[grip.id.index] = grip.at + by;
     return moved;
 }

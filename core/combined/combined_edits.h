@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/combined/combined_curve.h"
+#include "core/combined/combined.h"
 #include "core/document/editing/edited.h"
 #include "core/document/editing/grip.h"
 #include "core/document/file_error.h"
@@ -17,6 +17,8 @@ namespace kriva {
 /// Everything that can be dragged: the points, in their order, then under Method::pairs the middle points of pairs; of
 /// a pair of two quadratics, the point where these meet.
 [[nodiscard]] std::vector<Grip> grips(const CombinedCurve& curve);
+/// The same where combine() has given its answer, empty while the curve is incomplete.
+[[nodiscard]] std::vector<Grip> grips(const CombinedCurve& curve, const Combined& combined);
 
 /// The points of the Points table.
 [[nodiscard]] inline std::size_t pointCount(const CombinedCurve& curve) {

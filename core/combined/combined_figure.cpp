@@ -3,6 +3,7 @@
 #include "core/bezier/evaluate.h"
 #include "core/bezier/measures/curvature.h"
 #include "core/combined/combined.h"
+#include "core/combined/combined_edits.h"
 #include "core/figure/labels.h"
 
 #include <array>
@@ -166,14 +167,7 @@ Layer runNumbers(const CombinedCurve& curve, const Combined& combined) {
     return layer;
 }
 
-} // namespace
-
-std::span<const LayerInfo> layersOf(const CombinedCurve&) {
-    return kLayers;
-}
-
-Figure figureOf(const CombinedCurve& curve, const FigureContext& context) {
-    const Combined combined = isIncomplete(curve) ? Combined{} : combine(curve);
+Figure figureOf(const CombinedCurve& curve, const Combined& combined, const FigureContext& context) {
     Figure figure;
     figure.layers.push_back({"given-polygon", {{polyline(curve.points), Role::controlPolygon}}});
     if (isDrawn("run-polygons", kLayers, context))
@@ -192,6 +186,31 @@ Figure figureOf(const CombinedCurve& curve, const FigureContext& context) {
     if (curve.points.size() <= kMostLabelledPoints)
         figure.layers.push_back({"labels", {}, {}, indexedLabels("p", curve.points)});
     return figure;
+}
+
+} // namespace
+
+std::span<const LayerInfo> layersOf(const CombinedCurve&) {
+    return kLayers;
+}
+
+Figure figureOf(const CombinedCurve& curve, const FigureContext& context) {
+    return figureOf(curve, isIncomplete(curve) ? Combined{} : combine(curve), context);
+}
+
+std::optional<DrawnCurve> drawn(const CombinedCurve& curve, const FigureContext& context, WorkBudget& budget) {
+    const std::optional<Combined> combined = isIncomplete(curve) ? Combined{} : combine(curve, budget);
+    if (!combined)
+        return {};
+    return DrawnCurve{figureOf(curve, *combined, context), grips(curve, *combined)};
+}
+
+std::uint64_t drawingSteps(const CombinedCurve& curve) {
+    constexpr std::uint64_t kPiece = 300;
+    constexpr std::uint64_t kPair = 160; // of points of an interpolation
+    const auto coefficients = static_cast<std::uint64_t>(curve.degree) + 1;
+    return kPiece * pathPieces(curve) + kPair * interpolatedPairs(curve) +
+           coefficients * coefficients * curve.points.size();
 }
 
 } // namespace kriva

@@ -35,24 +35,6 @@ void reportJoin(JsonWriter& json, const CombinedJoin& join) {
 
 } // namespace
 
-std::size_t interpolatedPairs(const CombinedCurve& curve) {
-    if (isIncomplete(curve) || curve.method != CombinedCurve::Method::interpolation)
-        return 0;
-    std::size_t pairs = 0;
-    for (const MonotoneRun& run : monotoneRuns(curve.points))
-        pairs += run.size() * run.size();
-    return pairs;
-}
-
-std::size_t pathPieces(const CombinedCurve& curve) {
-    if (isIncomplete(curve))
-        return 0;
-    const std::vector<MonotoneRun> runs = monotoneRuns(curve.points);
-    const std::size_t joins = runs.size() - 1;
-    const bool isOfPairs = curve.method == CombinedCurve::Method::pairs;
-    return joins + (isOfPairs ? curve.points.size() - runs.size() : runs.size());
-}
-
 void reportCurve(JsonWriter& json, const CombinedCurve& curve) {
     const Combined combined = combine(curve);
     const PathMeasures measures = measure(combined, curve.points);

@@ -11,10 +11,6 @@ namespace kriva {
 [[nodiscard]] inline std::size_t reportedSegments(const CombinedCurve&) {
     return 0;
 }
-/// The sum over the runs under interpolation of the squares of their points: what makes interpolating long. Linear.
-[[nodiscard]] std::size_t interpolatedPairs(const CombinedCurve& curve);
-/// About how many pieces the path has: runs or the pairs in them, and as many joins as there can be. Linear.
-[[nodiscard]] std::size_t pathPieces(const CombinedCurve& curve);
 /// The members of a complete curve in the report, after its name.
 void reportCurve(JsonWriter& json, const CombinedCurve& curve);
 /// The same numbers as rows for people.

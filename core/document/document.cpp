@@ -200,15 +200,37 @@ Figure figureOf(const Curve& curve, const FigureContext& context) {
     return styled(std::visit([&](const auto& c) { return figureOf(c, context); }, curve), styleOf(curve));
 }
 
-std::vector<Grip> drawnGrips(const Curve& curve, const FigureContext& context) {
+std::optional<DrawnCurve> drawn(const Curve& curve, const FigureContext& context, WorkBudget& budget) {
+    std::optional<DrawnCurve> all = std::visit([&](const auto& c) { return drawn(c, context, budget); }, curve);
+    if (!all)
+        return {};
+    const std::span<const LayerInfo> layers = layersOf(curve.index());
+    all->figure = shownLayers(styled(std::move(all->figure), styleOf(curve)), layers, context);
     std::vector<GripKind> hidden; // asked once for each kind: a curve may have as many grips as points
     for (const GripKind kind : kGripKinds)
-        if (!isDrawn(layerOf(kind, curve), layersOf(curve.index()), context))
+        if (!isDrawn(layerOf(kind, curve), layers, context))
             hidden.push_back(kind);
-    std::vector<Grip> drawn = grips(curve);
     if (!hidden.empty())
-        std::erase_if(drawn, [&](const Grip& grip) { return std::ranges::find(hidden, grip.id.kind) != hidden.end(); });
+        std::erase_if(all->grips,
+                      [&](const Grip& grip) { return std::ranges::find(hidden, grip.id.kind) != hidden.end(); });
+    return all;
+}
+
+DrawnCurve drawnPoints(const Curve& curve, const FigureContext& context) {
+    const std::string_view layer = layerOf(GripKind::point, curve);
+    if (!isDrawn(layer, layersOf(curve.index()), context))
+        return {};
+    Points points;
+    points.reserve(pointCount(curve));
+    for (std::size_t i = 0; i < pointCount(curve); ++i)
+        points.push_back(pointAt(curve, static_cast<int>(i)));
+    DrawnCurve drawn{{}, pointGrips(points)};
+    drawn.figure.layers.push_back({layer, {}, {{std::move(points), Role::point}}});
     return drawn;
+}
+
+std::uint64_t drawingSteps(const Curve& curve) {
+    return std::visit([](const auto& c) { return drawingSteps(c); }, curve);
 }
 
 std::optional<std::vector<Result>> results(const Curve& curve, WorkBudget& budget) {

@@ -86,8 +86,13 @@ template <class C>
 [[nodiscard]] Edited<Curve> reversed(const Curve& curve);
 [[nodiscard]] std::span<const LayerInfo> layersOf(SheetIndex sheet);
 [[nodiscard]] Figure figureOf(const Curve& curve, const FigureContext& context);
-/// The grips whose layer is drawn: nobody takes hold of what is hidden.
-[[nodiscard]] std::vector<Grip> drawnGrips(const Curve& curve, const FigureContext& context);
+/// The layers that the view shows, and the grips of those that it draws: nobody takes hold of what is hidden. Nothing
+/// where the budget ends.
+[[nodiscard]] std::optional<DrawnCurve> drawn(const Curve& curve, const FigureContext& context, WorkBudget& budget);
+/// What of that needs no work: its points, which stand in for it until it has come.
+[[nodiscard]] DrawnCurve drawnPoints(const Curve& curve, const FigureContext& context);
+/// About how many steps of a budget drawn() takes.
+[[nodiscard]] std::uint64_t drawingSteps(const Curve& curve);
 [[nodiscard]] std::optional<std::vector<Result>> results(const Curve& curve, WorkBudget& budget);
 [[nodiscard]] std::vector<Result> results(const Curve& curve);
 

@@ -1,6 +1,7 @@
 #include "core/elevation/elevation_figure.h"
 
 #include "core/bezier/elevate.h"
+#include "core/elevation/elevation_edits.h"
 #include "core/elevation/elevation_layers.h"
 #include "core/figure/labels.h"
 
@@ -47,6 +48,19 @@ Figure figureOf(const ElevationCurve& curve, const FigureContext& context) {
     figure.layers.push_back({"points", {}, {{curve.points, Role::point}}});
     figure.layers.push_back({"labels", {}, {}, indexedLabels("b", curve.points)});
     return figure;
+}
+
+std::optional<DrawnCurve> drawn(const ElevationCurve& curve, const FigureContext& context, WorkBudget& budget) {
+    if (!budget.spend())
+        return {};
+    return DrawnCurve{figureOf(curve, context), grips(curve)};
+}
+
+std::uint64_t drawingSteps(const ElevationCurve& curve) {
+    constexpr std::uint64_t kEvaluating = 3; // the curve's box, by the square of its points
+    constexpr std::uint64_t kElevated = 6;
+    const std::uint64_t count = curve.points.size();
+    return kEvaluating * count * count + kElevated * derivedPointCount(curve);
 }
 
 } // namespace kriva

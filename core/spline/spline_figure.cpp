@@ -5,6 +5,7 @@
 #include "core/spline/editing/joins.h"
 #include "core/spline/layers/curvature_comb.h"
 #include "core/spline/layers/spline_layers.h"
+#include "core/spline/spline_edits.h"
 
 #include <algorithm>
 #include <array>
@@ -167,6 +168,17 @@ Figure figureOf(const SplineCurve& curve, const FigureContext& context) {
     if (labels)
         figure.layers.push_back(std::move(*labels));
     return figure;
+}
+
+std::optional<DrawnCurve> drawn(const SplineCurve& curve, const FigureContext& context, WorkBudget& budget) {
+    if (!budget.spend())
+        return {};
+    return DrawnCurve{figureOf(curve, context), grips(curve)};
+}
+
+std::uint64_t drawingSteps(const SplineCurve& curve) {
+    constexpr std::uint64_t kSegment = 20; // with what a view may show of it besides
+    return kSegment * curve.knots.size();
 }
 
 } // namespace kriva

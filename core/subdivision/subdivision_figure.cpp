@@ -2,6 +2,7 @@
 
 #include "core/document/limits.h"
 #include "core/figure/labels.h"
+#include "core/subdivision/subdivision_edits.h"
 
 #include <algorithm>
 #include <array>
@@ -182,6 +183,19 @@ Figure figureOf(const SubdivisionCurve& curve, const FigureContext& context) {
     if (isCut)
         figure.layers.push_back({"part-labels", {}, {}, partLabels(cut.halves)});
     return figure;
+}
+
+std::optional<DrawnCurve> drawn(const SubdivisionCurve& curve, const FigureContext& context, WorkBudget& budget) {
+    if (!budget.spend())
+        return {};
+    return DrawnCurve{figureOf(curve, context), grips(curve)};
+}
+
+std::uint64_t drawingSteps(const SubdivisionCurve& curve) {
+    constexpr std::uint64_t kScheme = 3; // de Casteljau's, by the square of the points
+    constexpr std::uint64_t kDerived = 5;
+    const std::uint64_t count = controlPointCount(curve);
+    return kScheme * count * count + kDerived * derivedPointCount(curve);
 }
 
 } // namespace kriva

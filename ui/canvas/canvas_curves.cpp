@@ -17,16 +17,31 @@ constexpr double kRoomy = 0.4;
 } // namespace
 
 void CanvasCurves::set(std::vector<CanvasCurve> curves) {
-    scene_.clear();
-    entries_.clear();
+    std::vector<Entry> before = std::exchange(entries_, {});
     entries_.reserve(curves.size());
     for (CanvasCurve& curve : curves) {
-        Entry& entry = entries_.emplace_back();
-        entry.serial = curve.serial;
-        entry.item = new FigureItem;
-        scene_.addItem(entry.item);
+        Entry& entry = entries_.emplace_back(entryFor(curve, before));
+        scene_.addItem(entry.item); // in the order of the curves
         fill(entry, std::move(curve));
     }
+    for (const Entry& gone : before)
+        delete gone.item;
+}
+
+/// The one that is there where its figure is to stay, which is taken from the scene; else a new one with the figure.
+CanvasCurves::Entry CanvasCurves::entryFor(const CanvasCurve& curve, std::vector<Entry>& before) {
+    const auto same = curve.isFigureDue ? std::ranges::find(before, curve.serial, &Entry::serial) : before.end();
+    if (same == before.end()) {
+        Entry entry;
+        entry.serial = curve.serial;
+        entry.item = new FigureItem;
+        entry.item->setFigure(curve.figure);
+        return entry;
+    }
+    Entry entry = std::move(*same);
+    before.erase(same);
+    scene_.removeItem(entry.item);
+    return entry;
 }
 
 void CanvasCurves::update(CanvasCurve curve) {
@@ -39,9 +54,12 @@ void CanvasCurves::fill(Entry& entry, CanvasCurve curve) {
     entry.name = std::move(curve.name);
     entry.grips = std::move(curve.grips);
     entry.isActive = curve.isActive;
-    entry.isPrepared = false;
-    entry.item->setFigure(std::move(curve.figure));
     entry.item->setZValue(curve.isOnTop ? 2 : entry.isActive ? 1 : 0);
+    if (curve.isFigureDue)
+        return;
+    entry.isPrepared = false;
+    entry.box = curve.box;
+    entry.item->setFigure(std::move(curve.figure));
 }
 
 void CanvasCurves::invalidate() {
@@ -141,10 +159,18 @@ Points CanvasCurves::placesOf(const Selection& selection) const {
 Box CanvasCurves::box() const {
     Box all;
     for (const Entry& entry : entries_) {
-        all = united(all, boxOf(entry.item->figure()));
+        all = united(all, entry.boxOfFigure());
         for (const Grip& grip : entry.grips)
             extend(all, grip.at);
     }
+    return all;
+}
+
+Box CanvasCurves::boxOfFigures() const {
+    Box all;
+    for (const Entry& entry : entries_)
+        if (entry.serial != 0)
+            all = united(all, entry.boxOfFigure());
     return all;
 }
 

@@ -21,6 +21,9 @@ struct CanvasCurve {
     bool isActive = false;
     bool isOnTop = false; ///< drawn over the active curve
     QString name = {};    ///< what a person calls it
+    /// What it looks like is still being worked out: what is shown of it stays, else it is this figure. The grips hold.
+    bool isFigureDue = false;
+    std::optional<Box> box = {}; ///< of the figure, where it is known
 };
 
 /// The curves that a canvas shows, each an item of its scene. Items are prepared when they are next painted or asked
@@ -50,6 +53,8 @@ class CanvasCurves {
     [[nodiscard]] Points placesOf(const Selection& selection) const;
     /// Of all figures and grips.
     [[nodiscard]] Box box() const;
+    /// Of the figures of curves alone.
+    [[nodiscard]] Box boxOfFigures() const;
 
     struct Named {
         Serial serial = 0;
@@ -67,9 +72,13 @@ class CanvasCurves {
         bool isPrepared = false;
         bool isSettled = false; ///< and what changed is known
         std::vector<Grip> grips;
+        std::optional<Box> box;     ///< of the figure, once it was asked for
         FigureItem* item = nullptr; ///< owned by the scene
+
+        [[nodiscard]] Box boxOfFigure() const { return box ? *box : boxOf(item->figure()); }
     };
 
+    [[nodiscard]] Entry entryFor(const CanvasCurve& curve, std::vector<Entry>& before);
     static void fill(Entry& entry, CanvasCurve curve);
     void choose(Sight& sight);
     [[nodiscard]] FrameLoad prepareStale(const Sight& sight);

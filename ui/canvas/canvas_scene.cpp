@@ -24,8 +24,12 @@ void CanvasScene::setCurves(std::vector<CanvasCurve> curves) {
     update();
 }
 
-void CanvasScene::updateCurve(CanvasCurve curve) {
-    curves_.update(std::move(curve));
+void CanvasScene::updateCurves(std::vector<CanvasCurve> curves) {
+    const bool areAllDue = std::ranges::all_of(curves, &CanvasCurve::isFigureDue);
+    for (CanvasCurve& curve : curves)
+        curves_.update(std::move(curve));
+    if (areAllDue) // nothing looks different yet
+        return;
     selectedPlaces_.reset();
     updateIn(curves_.prepare(sight_));
     followHighlights();

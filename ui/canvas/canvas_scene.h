@@ -19,7 +19,7 @@ class CanvasScene : public QGraphicsScene {
     explicit CanvasScene(QObject* parent = nullptr);
 
     void setCurves(std::vector<CanvasCurve> curves);
-    void updateCurve(CanvasCurve curve);
+    void updateCurves(std::vector<CanvasCurve> curves);
     void setSelection(Selection selection);
     [[nodiscard]] const Selection& selection() const { return selection_; }
     void setHovered(std::optional<GripRef> grip);

@@ -43,9 +43,15 @@ void CanvasView::setCurves(std::vector<CanvasCurve> curves) {
     gestures_.lookAgain();
 }
 
-void CanvasView::updateCurve(CanvasCurve curve) {
-    scene_.updateCurve(std::move(curve));
+void CanvasView::updateCurves(std::vector<CanvasCurve> curves) {
+    scene_.updateCurves(std::move(curves));
     gestures_.lookAgain();
+}
+
+void CanvasView::updateCurve(CanvasCurve curve) {
+    std::vector<CanvasCurve> one;
+    one.push_back(std::move(curve));
+    updateCurves(std::move(one));
 }
 
 void CanvasView::setSelection(Selection selection) {
@@ -100,6 +106,11 @@ void CanvasView::setUnitScale(double pixelsPerUnit) {
 void CanvasView::fitAll() {
     setMapping(fitted(mapping(), scene_.curves().box(), kMargin));
     isFitDue_ = true;
+}
+
+void CanvasView::fitAllAgain() {
+    if (isFitDue_)
+        fitAll();
 }
 
 void CanvasView::fitSelection() {
@@ -172,8 +183,8 @@ void CanvasView::resizeEvent(QResizeEvent* event) {
     Viewport next = mapping();
     next.size = event->size();
     setMapping(next);
-    if (isFitDue)
-        fitAll();
+    isFitDue_ = isFitDue; // a size is nothing that somebody did on the canvas
+    fitAllAgain();
 }
 
 void CanvasView::mousePressEvent(QMouseEvent* event) {

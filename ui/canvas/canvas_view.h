@@ -19,7 +19,8 @@ class CanvasView : public QGraphicsView {
 
     /// All curves, from the lowest to the topmost.
     void setCurves(std::vector<CanvasCurve> curves);
-    /// One curve in place; the others are not touched.
+    /// These curves in place; the others are not touched.
+    void updateCurves(std::vector<CanvasCurve> curves);
     void updateCurve(CanvasCurve curve);
     void setSelection(Selection selection);
     [[nodiscard]] const Selection& selection() const { return scene_.selection(); }
@@ -42,6 +43,8 @@ class CanvasView : public QGraphicsView {
     void zoomOut() { zoomTo(mapping().zoom() / kZoomStep); }
     void zoomTo100() { zoomTo(1); }
     void fitAll();
+    /// Fits all anew if nobody has done anything on the canvas since.
+    void fitAllAgain();
     /// All, where nothing is selected.
     void fitSelection();
     [[nodiscard]] const Viewport& mapping() const { return scene_.mapping(); }

@@ -23,7 +23,8 @@ template <class C>
 std::vector<Work> workOn(const C& curve) {
     return {[=](WorkBudget& budget) { return results(Curve(curve), budget).has_value(); },
             [=](WorkBudget& budget) { return plotsOf(curve, budget).has_value(); },
-            [=](WorkBudget& budget) { return tablesOf(curve, budget).has_value(); }};
+            [=](WorkBudget& budget) { return tablesOf(curve, budget).has_value(); },
+            [=](WorkBudget& budget) { return drawn(Curve(curve), {}, budget).has_value(); }};
 }
 
 std::vector<Work> allWork() {
