@@ -49,7 +49,7 @@ enum class FileProblem {
     unknownEntity,     ///< words: its name
     notInEncoding,     ///< an XML file that says it is UTF-8
     unknownEncoding,   ///< of an XML file; words: its name
-    noXmlCharacter,    ///< words: what stands in its place, a reference or "U+FFFE"
+    noXmlCharacter,    ///< words: its code, "U+FFFE"
     internalSubset,    ///< an XML file that declares things of its own
     tooManyElements,   ///< of an XML file, more than numbers[0]
     tooManyAttributes, ///< of one tag, more than numbers[0]

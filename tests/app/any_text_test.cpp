@@ -30,7 +30,8 @@ QByteArray quoted(const QByteArray& label) {
 /// The same as labels of an SVG file, and bytes of other encodings.
 QList<QByteArray> kindsOfLabel() {
     QList<QByteArray> labels{"\xCA\xF0\xE8\xE2\xE0", "\xE4",      "\xED\xA0\x80", "\xC0\xAF",
-                             "\xF5\x80\x80\x80",     "a\xF0\x9F", "&#x202e;"};
+                             "\xF5\x80\x80\x80",     "a\xF0\x9F", "&#xD800;",     "&#0;",
+                             "&#x110000;",           "&#xFFFF;",  "&#x202e;",     "&#1;"};
     for (const QString& text : kindsOfText())
         if (!text.contains(QChar(0)) && !text.contains(QChar(1)) && !text.contains(QChar(0xffff)))
             labels.append(text.toHtmlEscaped().toUtf8());
@@ -39,7 +40,7 @@ QList<QByteArray> kindsOfLabel() {
 
 /// Those of a file that is no XML.
 QList<QByteArray> kindsOfRefusedLabel() {
-    return {"&#xD800;", "&#0;", "&#x110000;", "&#xFFFF;", "&#1;", "\x01", "\xEF\xBF\xBF"};
+    return {"\x01", "\xEF\xBF\xBF"};
 }
 
 class AnyText : public testing::Test {

@@ -1,7 +1,8 @@
 #include "tests/support/test_window.h"
 
-#include <algorithm>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace kriva {
 namespace {

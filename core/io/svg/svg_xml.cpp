@@ -20,7 +20,7 @@ std::optional<FileError> openSvg(std::string_view svg, ParsedSvg& parsed) {
     if (std::optional<FileError> error = xmlError(svg))
         return error;
     parsed.text = svg;
-    if (firstBrokenByte(svg) != std::string_view::npos)
+    if (hasBrokenCharacters(svg))
         parsed.repaired = withoutBrokenCharacters(svg);
     const std::string_view read = parsed.repaired.empty() ? svg : parsed.repaired;
     const pugi::xml_parse_result result =

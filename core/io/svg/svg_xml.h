@@ -16,8 +16,8 @@ struct ParsedSvg {
     pugi::xml_document xml;
 };
 
-/// Parses an SVG text: well-formed, within the limits of xmlError() and of files; bytes that are no character become
-/// U+FFFD. Nothing where it did, else what is wrong. Nothing outside of the text is ever opened.
+/// Parses an SVG text: well-formed, within the limits of xmlError() and of files; bytes and references that are
+/// no character become U+FFFD. Nothing where it did, else what is wrong. Nothing outside of the text is ever opened.
 [[nodiscard]] std::optional<FileError> openSvg(std::string_view svg, ParsedSvg& parsed);
 
 /// A problem of an element: its line and its column in the text.

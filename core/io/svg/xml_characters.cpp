@@ -25,10 +25,34 @@ std::string_view digitsOf(std::string_view reference) {
     return digits.starts_with('x') ? digits.substr(1) : digits;
 }
 
+/// Whether a reference is to a character that XML has (XML 1.0, section 2.2): "&#xD800;" and "&#1;" are not.
+bool isToXmlCharacter(std::string_view reference) {
+    const std::string_view digits = digitsOf(reference);
+    std::uint32_t codePoint = 0;
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), codePoint, reference[2] == 'x' ? 16 : 10);
+    return error == std::errc() && isXmlCharacter(codePoint);
+}
+
+/// How many bytes at the beginning of a text that is not empty are no character; 0 where there is one.
+std::size_t brokenSize(std::string_view text) {
+    if (!isAscii(text.front())) {
+        const Utf8Character character = firstCharacter(text);
+        return character.codePoint ? 0 : character.bytes.size();
+    }
+    const std::size_t size = text.front() == '&' ? characterReferenceSize(text) : 0;
+    return size > 0 && !isToXmlCharacter(text.substr(0, size)) ? size : 0;
+}
+
 /// Calls visit(std::string_view piece, bool isBroken) for each character, and for each piece that is none.
 template <class Visit>
-void forEachPiece(std::string_view text, Visit visit) {
-    forEachCharacter(text, [&](std::optional<char32_t> c, std::string_view bytes) { visit(bytes, !c); });
+void forEachXmlPiece(std::string_view xml, Visit visit) {
+    while (!xml.empty()) {
+        const std::size_t broken = brokenSize(xml);
+        const std::size_t size = broken > 0 ? broken : firstCharacter(xml).bytes.size();
+        visit(xml.substr(0, size), broken > 0);
+        xml.remove_prefix(size);
+    }
 }
 
 /// A control, U+FFFE or U+FFFF; empty where there is none. Of bytes that are not UTF-8 it finds controls alone.
@@ -97,14 +121,6 @@ std::size_t characterReferenceSize(std::string_view text) {
     return end != std::string_view::npos && end > first && text[end] == ';' ? end + 1 : 0;
 }
 
-bool isToXmlCharacter(std::string_view reference) {
-    const std::string_view digits = digitsOf(reference);
-    std::uint32_t codePoint = 0;
-    const auto [end, error] =
-        std::from_chars(digits.data(), digits.data() + digits.size(), codePoint, reference[2] == 'x' ? 16 : 10);
-    return error == std::errc() && isXmlCharacter(codePoint);
-}
-
 std::optional<FileError> xmlCharacterError(std::string_view xml) {
     constexpr std::string_view kMark = "\xEF\xBB\xBF";
     const std::size_t start = xml.starts_with(kMark) ? kMark.size() : 0;
@@ -140,18 +156,24 @@ std::size_t firstBrokenByte(std::string_view text) {
     return std::string_view::npos;
 }
 
+bool hasBrokenCharacters(std::string_view xml) {
+    bool isBroken = false;
+    forEachXmlPiece(xml, [&](std::string_view, bool isBrokenHere) { isBroken = isBroken || isBrokenHere; });
+    return isBroken;
+}
+
 std::string withoutBrokenCharacters(std::string_view xml) {
     std::string repaired;
     repaired.reserve(xml.size());
-    forEachPiece(xml,
-                 [&](std::string_view piece, bool isBroken) { repaired += isBroken ? kReplacementCharacter : piece; });
+    forEachXmlPiece(
+        xml, [&](std::string_view piece, bool isBroken) { repaired += isBroken ? kReplacementCharacter : piece; });
     return repaired;
 }
 
 std::size_t byteBeforeRepair(std::string_view xml, std::size_t byte) {
     std::size_t before = 0;
     std::size_t after = 0;
-    forEachPiece(xml, [&](std::string_view piece, bool isBroken) {
+    forEachXmlPiece(xml, [&](std::string_view piece, bool isBroken) {
         if (after >= byte)
             return;
         before += piece.size();

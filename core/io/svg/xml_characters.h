@@ -12,9 +12,6 @@ namespace kriva {
 /// The size of a reference to a character, "&#65;" or "&#x41;", at the beginning of a text; 0 where there is none.
 [[nodiscard]] std::size_t characterReferenceSize(std::string_view text);
 
-/// Whether such a reference is to a character that XML has (XML 1.0, section 2.2): "&#xD800;" and "&#1;" are not.
-[[nodiscard]] bool isToXmlCharacter(std::string_view reference);
-
 /// Why the bytes of an XML text are not read: one of them is not of UTF-8, which the text says that it is; it names an
 /// encoding that Kriva does not read, and has more than ASCII; or there is a character that XML does not have. Where it
 /// names none, or one of a byte for each character, bytes that are no UTF-8 are no reason. Linear.
@@ -23,7 +20,10 @@ namespace kriva {
 /// The first byte that is not of UTF-8; npos where there is none.
 [[nodiscard]] std::size_t firstBrokenByte(std::string_view text);
 
-/// The text with U+FFFD in place of each piece that is no UTF-8. Linear.
+/// Whether some bytes of an XML text are no UTF-8, or a reference in it is to no character of XML, as "&#xD800;" is.
+[[nodiscard]] bool hasBrokenCharacters(std::string_view xml);
+
+/// The text with U+FFFD in place of each of these. Linear.
 [[nodiscard]] std::string withoutBrokenCharacters(std::string_view xml);
 
 /// Where a byte of withoutBrokenCharacters() stands in the text that it was made of. Linear.

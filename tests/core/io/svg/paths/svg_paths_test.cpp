@@ -225,18 +225,20 @@ TEST(SvgPaths, takesWhatIsNoCharacterForTheReplacementCharacter) {
         return readPaths(std::string("<path inkscape:label='").append(label).append("' d='M0 0h1'/>")).front().name;
     };
     EXPECT_EQ(nameOf("a\xE4"), "a" + replaced);
+    EXPECT_EQ(nameOf("&#xD800;b"), replaced + "b");
+    EXPECT_EQ(nameOf("&#0;&#1114112;&#99999999999;"), replaced + replaced + replaced);
     EXPECT_EQ(nameOf("\xED\xA0\x80"), replaced);
     EXPECT_EQ(nameOf("\xC0\xAF"), replaced + replaced);
     EXPECT_EQ(nameOf("&#x1F642;&#1082;к"), "\U0001F642кк");
 }
 
 TEST(SvgPaths, namesThePlaceOfTheFileBehindBrokenCharacters) {
-    const auto broken = readSvgPaths("<svg><path id='\xE4\xE4' d='M0 0X'/></svg>");
-    const auto whole = readSvgPaths("<svg><path id='aa' d='M0 0h1'/><path d='M0 0X'/></svg>");
+    const auto broken = readSvgPaths("<svg><path id='\xE4\xE4&#xD800;' d='M0 0X'/></svg>");
+    const auto whole = readSvgPaths("<svg><path id='aabbbbbbbb' d='M0 0h1'/><path d='M0 0X'/></svg>");
     EXPECT_EQ(std::get<FileError>(broken).column, 7);
-    EXPECT_EQ(std::get<FileError>(whole).column, 33);
-    const auto behind = readSvgPaths("<svg><path id='\xE4\xE4' d='M0 0h1'/><path d='M0 0X'/></svg>");
-    EXPECT_EQ(std::get<FileError>(behind).column, 33);
+    EXPECT_EQ(std::get<FileError>(whole).column, 41);
+    const auto behind = readSvgPaths("<svg><path id='\xE4\xE4&#xD800;' d='M0 0h1'/><path d='M0 0X'/></svg>");
+    EXPECT_EQ(std::get<FileError>(behind).column, 41);
 }
 
 } // namespace
