@@ -24,15 +24,16 @@ void CanvasScene::setCurves(std::vector<CanvasCurve> curves) {
     update();
 }
 
-void CanvasScene::updateCurves(std::vector<CanvasCurve> curves) {
+bool CanvasScene::updateCurves(std::vector<CanvasCurve> curves) {
     const bool areAllDue = std::ranges::all_of(curves, &CanvasCurve::isFigureDue);
     for (CanvasCurve& curve : curves)
         curves_.update(std::move(curve));
-    if (areAllDue) // nothing looks different yet
-        return;
+    if (areAllDue)
+        return false;
     selectedPlaces_.reset();
     updateIn(curves_.prepare(sight_));
     followHighlights();
+    return true;
 }
 
 void CanvasScene::setSelection(Selection selection) {

@@ -19,7 +19,8 @@ class CanvasScene : public QGraphicsScene {
     explicit CanvasScene(QObject* parent = nullptr);
 
     void setCurves(std::vector<CanvasCurve> curves);
-    void updateCurves(std::vector<CanvasCurve> curves);
+    /// Whether anything looks different now.
+    bool updateCurves(std::vector<CanvasCurve> curves);
     void setSelection(Selection selection);
     [[nodiscard]] const Selection& selection() const { return selection_; }
     void setHovered(std::optional<GripRef> grip);

@@ -44,8 +44,8 @@ void CanvasView::setCurves(std::vector<CanvasCurve> curves) {
 }
 
 void CanvasView::updateCurves(std::vector<CanvasCurve> curves) {
-    scene_.updateCurves(std::move(curves));
-    gestures_.lookAgain();
+    if (scene_.updateCurves(std::move(curves)))
+        gestures_.lookAgain();
 }
 
 void CanvasView::updateCurve(CanvasCurve curve) {

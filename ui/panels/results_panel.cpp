@@ -69,6 +69,15 @@ void ResultsPanel::selectionChanged(const QItemSelection& selected, const QItemS
     pointedOut_.choose(chosenPlaces());
 }
 
+void ResultsPanel::dataChanged(const QModelIndex& first, const QModelIndex& last, const QList<int>& roles) {
+    // Qt asks each changed row where it is, seen or not; here all are of one height and none is edited.
+    constexpr int kFew = 1000;
+    if (last.row() - first.row() < kFew)
+        QTreeView::dataChanged(first, last, roles);
+    else
+        viewport()->update();
+}
+
 void ResultsPanel::setWatched(bool isWatched) {
     pointedOut_.choose(isWatched ? chosenPlaces() : Points());
 }

@@ -25,6 +25,7 @@ class ResultsPanel : public QTreeView, public WatchedPanel {
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void selectionChanged(const QItemSelection& selected, const QItemSelection& deselected) override;
+    void dataChanged(const QModelIndex& first, const QModelIndex& last, const QList<int>& roles) override;
 
   private:
     void retranslateUi();

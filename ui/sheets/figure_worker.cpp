@@ -45,7 +45,7 @@ FigureWorker::FigureWorker(QThreadPool& pool, Take take)
 void FigureWorker::start(std::vector<CurveToDraw> curves, SheetView view) {
     isWorking_ = true;
     stop_ = {};
-    const auto task = [self = QPointer(this), curves = std::move(curves), view = std::move(view),
+    auto task = [self = QPointer(this), curves = std::move(curves), view = std::move(view),
                        stop = stop_.get_token()]() mutable {
         WorkBudget budget(WorkBudget::kUnlimited, stop);
         const auto drawn = std::make_shared<std::vector<CanvasCurve>>(drawnCurves(std::move(curves), view, budget));
@@ -57,7 +57,7 @@ void FigureWorker::start(std::vector<CurveToDraw> curves, SheetView view) {
         };
         QMetaObject::invokeMethod(QCoreApplication::instance(), deliver);
     };
-    pool_.start(task, kPriority);
+    pool_.start(std::move(task), kPriority);
 }
 
 void FigureWorker::cancel() {

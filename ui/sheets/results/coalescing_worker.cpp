@@ -67,7 +67,7 @@ bool CoalescingWorker::doHere(const Work& work) {
 void CoalescingWorker::doElsewhere(Work work) {
     isWorking_ = true;
     stop_ = {};
-    const auto task = [self = QPointer(this), work = std::move(work), steps = steps_, stop = stop_.get_token()] {
+    auto task = [self = QPointer(this), work = std::move(work), steps = steps_, stop = stop_.get_token()] {
         QElapsedTimer clock;
         clock.start();
         WorkBudget budget(steps, stop);
@@ -82,7 +82,7 @@ void CoalescingWorker::doElsewhere(Work work) {
         };
         QMetaObject::invokeMethod(QCoreApplication::instance(), deliver);
     };
-    pool_.start(task);
+    pool_.start(std::move(task)); // with all that it looks at
 }
 
 } // namespace kriva::ui

@@ -1,7 +1,16 @@
 #include "ui/sheets/results/curve_results.h"
 
+#include "ui/sheets/shown_sheet.h"
+
+#include <QThreadPool>
+
+#include <utility>
+
 namespace kriva::ui {
 namespace {
+
+/// So many that the window has no time to give their memory back.
+constexpr std::size_t kManyRows = 10'000;
 
 /// None without a curve; that it is incomplete is one as well.
 std::optional<std::vector<Result>> resultsOf(const std::optional<Curve>& curve, WorkBudget& budget) {
@@ -16,11 +25,13 @@ std::optional<std::vector<Result>> resultsOf(const std::optional<Curve>& curve, 
 
 CurveResults::CurveResults(ShownSheet& sheet, QObject* parent)
     : QObject(parent)
-    , work_(sheet, [this](const std::optional<Curve>& curve, WorkBudget& budget) -> CoalescingWorker::Take {
+    , work_(sheet, [this, &sheet](const std::optional<Curve>& curve, WorkBudget& budget) -> CoalescingWorker::Take {
         auto found = resultsOf(curve, budget).value_or(std::vector<Result>());
-        return [this, results = std::make_shared<const std::vector<Result>>(std::move(found))] {
-            results_ = results;
+        return [this, &sheet, results = std::make_shared<const std::vector<Result>>(std::move(found))] {
+            auto before = std::exchange(results_, results);
             Q_EMIT changed();
+            if (before->size() > kManyRows)
+                sheet.workers().start([before = std::move(before)]() mutable { before.reset(); });
         };
     }) {}
 
