@@ -46,7 +46,7 @@ void FigureWorker::start(std::vector<CurveToDraw> curves, SheetView view) {
     isWorking_ = true;
     stop_ = {};
     auto task = [self = QPointer(this), curves = std::move(curves), view = std::move(view),
-                       stop = stop_.get_token()]() mutable {
+                 stop = stop_.get_token()]() mutable {
         WorkBudget budget(WorkBudget::kUnlimited, stop);
         const auto drawn = std::make_shared<std::vector<CanvasCurve>>(drawnCurves(std::move(curves), view, budget));
         const auto deliver = [self, drawn, stop] {
