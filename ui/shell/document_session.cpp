@@ -158,7 +158,7 @@ SaveAnswer DocumentSession::askBeforeClosing() {
         return SaveAnswer::Discard;
     if (document_.isModified())
         return askAboutUnsaved(name(), window_);
-    const FileState state = watch_.look();
+    const FileState state = watch_.lookIfWritten();
     if (state == FileState::Same)
         return SaveAnswer::Discard;
     return state == FileState::Gone ? askAboutGone(name(), window_) : askAboutChanged(name(), window_);

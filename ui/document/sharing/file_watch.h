@@ -28,6 +28,8 @@ class FileWatch : public QObject {
     void lookSoon();
     /// How it is right now, whatever was told.
     [[nodiscard]] FileState look() const;
+    /// The same, but a file that nobody wrote since it was last looked at is not read again.
+    [[nodiscard]] FileState lookIfWritten() const { return stamp_ == stampNow() ? state() : look(); }
     /// How it was when it was last told.
     [[nodiscard]] FileState state() const { return stateOf(toldHash_); }
     /// How long the file must be quiet until it is looked at: who writes it does so in several steps.

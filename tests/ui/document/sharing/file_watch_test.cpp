@@ -35,6 +35,7 @@ class FileWatchTest : public testing::Test {
         while (watch.state() != state)
             ASSERT_TRUE(changed.wait(kPatience));
         EXPECT_EQ(watch.look(), state);
+        EXPECT_EQ(watch.lookIfWritten(), state);
     }
 
     QTemporaryDir folder;
@@ -96,8 +97,10 @@ TEST_F(FileWatchTest, seesWhatHappenedLongBefore) {
 TEST_F(FileWatchTest, looksByItselfWithoutWaitingToBeTold) {
     put("two");
     EXPECT_EQ(watch.look(), FileState::Changed);
+    EXPECT_EQ(watch.lookIfWritten(), FileState::Changed);
     ASSERT_TRUE(QFile::remove(path));
     EXPECT_EQ(watch.look(), FileState::Gone);
+    EXPECT_EQ(watch.lookIfWritten(), FileState::Gone);
 }
 
 TEST_F(FileWatchTest, aDocumentWithoutAFileIsAlwaysTheSame) {
@@ -106,6 +109,7 @@ TEST_F(FileWatchTest, aDocumentWithoutAFileIsAlwaysTheSame) {
     watch.watch({}, {});
     EXPECT_EQ(watch.state(), FileState::Same);
     EXPECT_EQ(watch.look(), FileState::Same);
+    EXPECT_EQ(watch.lookIfWritten(), FileState::Same);
     EXPECT_EQ(changed.takeLast()[0].value<FileState>(), FileState::Same);
 }
 
