@@ -12,7 +12,7 @@ constexpr std::string_view kFormat = "kriva-fragment";
 constexpr std::string_view kPoints = "points";
 constexpr std::string_view kCurve = "curve";
 
-Fragment readChecked(const JsonNode& root) {
+Fragment readCheckedFragment(const JsonNode& root) {
     const JsonObject object(root, {"format", "version", "content", "sheet", "curve"});
     requireFormat(object, kFormat, kFormatVersion);
     Fragment fragment;
@@ -51,7 +51,7 @@ std::string writeFragment(const Fragment& fragment) {
 }
 
 std::variant<Fragment, FileError> readFragment(std::string_view text) {
-    return readJson(text, readChecked);
+    return readJson(text, readCheckedFragment);
 }
 
 } // namespace kriva
