@@ -3,14 +3,14 @@
 #include "app/end_signals.h"
 #include "app/kept_memory.h"
 #include "app/sheet_catalog.h"
-#include "ui/document/recovery/state_folder.h"
-#include "ui/shell/document_session.h"
-#include "ui/shell/examples.h"
-#include "ui/shell/look/desktop_scheme.h"
-#include "ui/shell/look/theme.h"
-#include "ui/shell/main_window.h"
-#include "ui/shell/preferences.h"
-#include "ui/shell/recovery_dialog.h"
+#include "ui/base/examples.h"
+#include "ui/base/look/desktop_scheme.h"
+#include "ui/base/look/theme.h"
+#include "ui/base/preferences.h"
+#include "ui/document/state_folder.h"
+#include "ui/window/dialogs/recovery_dialog.h"
+#include "ui/window/document_session.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QSessionManager>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ui/base/language/language.h"
 #include "ui/document/recovery/recovery_writer.h"
-#include "ui/shell/language/language.h"
 
 #include <QStringList>
 

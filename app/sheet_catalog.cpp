@@ -1,9 +1,9 @@
 #include "app/sheet_catalog.h"
 
-#include "ui/sheets/combined/combined_ui.h"
-#include "ui/sheets/elevation/elevation_ui.h"
-#include "ui/sheets/spline/spline_ui.h"
-#include "ui/sheets/subdivision/subdivision_ui.h"
+#include "ui/tabs/combined/combined_ui.h"
+#include "ui/tabs/elevation/elevation_ui.h"
+#include "ui/tabs/spline/spline_ui.h"
+#include "ui/tabs/subdivision/subdivision_ui.h"
 
 namespace kriva {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "ui/sheets/sheet_ui.h"
+#include "ui/tabs/sheet_ui.h"
 
 namespace kriva {
 

@@ -2,7 +2,7 @@
 
 #include "app/commands/export_options.h"
 #include "app/commands/option_number.h"
-#include "core/document/limits.h"
+#include "core/curve/limits.h"
 
 #include <QCoreApplication>
 #include <QMap>

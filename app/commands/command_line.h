@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "core/exchange/imported.h"
+#include "core/io/svg/imported.h"
+#include "ui/base/language/language.h"
 #include "ui/figures/figure_file.h"
-#include "ui/shell/language/language.h"
 
 #include <QStringList>
 

@@ -3,9 +3,9 @@
 #include "app/commands/interrupts.h"
 #include "app/commands/progress.h"
 #include "app/commands/streams.h"
-#include "core/document/document_json.h"
+#include "core/io/json/document_json.h"
+#include "ui/clipboard/import_text.h"
 #include "ui/document/error_text.h"
-#include "ui/exchange/import_text.h"
 
 namespace kriva::app {
 namespace {

@@ -1,7 +1,7 @@
 #include "app/commands/progress.h"
 
 #include "app/commands/terminal.h"
-#include "ui/shell/language/plain_text.h"
+#include "ui/base/language/plain_text.h"
 
 #include <QCoreApplication>
 

@@ -4,10 +4,10 @@
 #include "app/commands/progress.h"
 #include "app/commands/streams.h"
 #include "core/document/report.h"
+#include "ui/base/language/plain_text.h"
 #include "ui/document/error_text.h"
 #include "ui/figures/caption_text.h"
 #include "ui/panels/result_text.h"
-#include "ui/shell/language/plain_text.h"
 
 #include <QFileInfo>
 

@@ -2,7 +2,7 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/terminal.h"
-#include "core/document/file_error.h"
+#include "core/curve/file_error.h"
 
 namespace kriva::app {
 

@@ -1,7 +1,7 @@
 #include "app/commands/terminal.h"
 
 #include "app/commands/progress.h"
-#include "ui/shell/language/plain_text.h"
+#include "ui/base/language/plain_text.h"
 
 #include <QCoreApplication>
 #include <QFile>

@@ -1,7 +1,7 @@
 #include "core/document/document.h"
 
-#include "core/document/limits.h"
-#include "core/document/text/utf8.h"
+#include "core/curve/limits.h"
+#include "core/curve/text/utf8.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/combined/combined_sheet.h"
-#include "core/document/relations.h"
-#include "core/elevation/elevation_sheet.h"
-#include "core/spline/spline_sheet.h"
-#include "core/subdivision/subdivision_sheet.h"
+#include "core/curve/relations.h"
+#include "core/sheets/combined/combined_sheet.h"
+#include "core/sheets/elevation/elevation_sheet.h"
+#include "core/sheets/spline/spline_sheet.h"
+#include "core/sheets/subdivision/subdivision_sheet.h"
 
 #include <array>
 

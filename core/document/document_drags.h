@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/curve/editing/handle_way.h"
 #include "core/document/document.h"
-#include "core/document/editing/handle_way.h"
 
 /// What a hand does to points and handles beyond moving them, for those that do not care about the kind of curve. Kinds
 /// without handles answer with nothing.

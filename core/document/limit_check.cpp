@@ -1,6 +1,6 @@
 #include "core/document/limit_check.h"
 
-#include "core/document/limits.h"
+#include "core/curve/limits.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "core/document/report.h"
 
+#include "core/budget/work_budget.h"
+#include "core/curve/limits.h"
 #include "core/document/limit_check.h"
-#include "core/document/limits.h"
-#include "core/work/work_budget.h"
 
 namespace kriva {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/document/view/style.h"
 #include "core/figure/caption.h"
+#include "core/figure/style/style.h"
 #include "core/geometry/box.h"
 
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/figure/figure.h"
-#include "core/figure/page.h"
+#include "core/figure/style/page.h"
 
 namespace kriva {
 

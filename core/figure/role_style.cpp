@@ -1,6 +1,6 @@
 #include "core/figure/role_style.h"
 
-#include "core/figure/color.h"
+#include "core/figure/style/color.h"
 
 #include <algorithm>
 #include <array>

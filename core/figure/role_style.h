@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/figure/figure.h"
-#include "core/figure/theme.h"
+#include "core/figure/style/theme.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "core/io/open.h"
 
-#include "core/document/document_json.h"
+#include "core/io/json/document_json.h"
 #include "core/io/svg/svg_reader.h"
 
 namespace kriva {

@@ -1,5 +1,5 @@
-#include "core/document/document_json.h"
-#include "core/document/text/utf8.h"
+#include "core/curve/text/utf8.h"
+#include "core/io/json/document_json.h"
 #include "tests/support/test_window.h"
 #include "ui/document/document_file.h"
 

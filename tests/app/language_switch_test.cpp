@@ -1,6 +1,6 @@
 #include "tests/support/test_window.h"
 #include "tests/support/visible_texts.h"
-#include "ui/shell/about_dialog.h"
+#include "ui/window/dialogs/about_dialog.h"
 
 #include <gtest/gtest.h>
 #include <QMessageBox>

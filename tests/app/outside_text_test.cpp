@@ -1,11 +1,11 @@
-#include "core/document/document_json.h"
-#include "core/exchange/conversion.h"
+#include "core/document/conversion.h"
+#include "core/io/json/document_json.h"
 #include "tests/support/picture_trap.h"
 #include "tests/support/test_window.h"
+#include "ui/base/language/plain_text.h"
 #include "ui/document/safe_write.h"
 #include "ui/panels/tables/table_model.h"
-#include "ui/shell/import/import_dialog.h"
-#include "ui/shell/language/plain_text.h"
+#include "ui/window/dialogs/import_dialog.h"
 
 #include <gtest/gtest.h>
 #include <QClipboard>

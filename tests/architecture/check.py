@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Checks the sources of core, ui and app against the tables beside this file: arrows.txt says who may include whom,
-banned.txt what is never called. Also that includes make no ring and are written from the project's folder.
+"""Checks the sources of core, ui and app against the tables beside this file: floors.txt says who may include whom,
+banned.txt what is never called. Also that neither files nor the folders of a room include each other in a ring, and
+that includes are written from the project's folder.
 
     check.py [FOLDER]     the project's folder
 
@@ -11,7 +12,6 @@ import re
 import sys
 
 HERE = pathlib.Path(__file__).parent
-SHEETS = ("elevation", "subdivision", "spline", "combined")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
 # Literals and comments; raw strings first, so that a quote inside ends nothing.
 SKIPPED = re.compile(r"""R"([^(\s]*)\(.*?\)\1" | "(?:\\.|[^"\\\n])*" | '(?:\\[^'\n]+|\\'|[^'\\\n])'
@@ -23,76 +23,84 @@ def table(text):
     return [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
 
 
+def floors(text):
+    """The height of each room above the ground."""
+    return {room: height for height, line in enumerate(reversed(table(text))) for room in line.split()}
+
+
+def room_of(path, heights):
+    return next((room for room in heights if path.startswith(room + "/")), None)
+
+
+def folder_of(path):
+    return str(pathlib.PurePath(path).parent)
+
+
+def quoted_includes(text):
+    return [name for bracket, name in INCLUDE.findall(text) if bracket == '"' and not name.endswith(".moc")]
+
+
+def room_faults(files, heights):
+    """`files` maps the path of each source to its text."""
+    for path in files:
+        if room_of(path, heights) is None:
+            yield f"{path}: stands in no room of floors.txt"
+    for room in heights:
+        if not any(path.startswith(room + "/") for path in files):
+            yield f"floors.txt: {room} is no folder with sources"
+
+
+def include_faults(files, heights):
+    for path, text in files.items():
+        room = room_of(path, heights)
+        if path.startswith("core/"):
+            for bracket, included in INCLUDE.findall(text):
+                if bracket == "<" and re.match("[Qq]", included):
+                    yield f"{path}: includes <{included}>, and core knows no Qt"
+        for included in quoted_includes(text):
+            other = room_of(included, heights)
+            if included not in files:
+                yield f'{path}: includes "{included}", which is no file counted from the project\'s folder'
+            elif room and other and other != room and heights[other] >= heights[room]:
+                where = "above" if heights[other] > heights[room] else "beside"
+                yield f"{path}: includes {included}, and {other} stands {where} {room}"
+
+
+def rings(graph):
+    """`graph` maps each node to those that it leads to. Every ring is found once."""
+    done, way = set(), []
+
+    def visit(node):
+        if node in way:
+            yield " -> ".join(way[way.index(node):] + [node])
+        elif node not in done:
+            way.append(node)
+            for following in graph[node]:
+                yield from visit(following)
+            way.pop()
+            done.add(node)
+
+    for node in graph:
+        yield from visit(node)
+
+
+def ring_faults(files, heights):
+    """Headers that include each other in a ring, which #pragma once would hide until a type is missing, and folders of
+    one room that do. The folder that a room's subfolders stand in counts like they do."""
+    headers = {path: [name for name in quoted_includes(text) if name in files] for path, text in files.items()}
+    folders = {folder_of(path): [] for path in files}
+    for path, names in headers.items():
+        for name in names:
+            if folder_of(name) != folder_of(path) and room_of(name, heights) == room_of(path, heights):
+                folders[folder_of(path)].append(folder_of(name))
+    for kind, graph in (("includes", headers), ("folders", folders)):
+        for ring in rings(graph):
+            yield f"ring of {kind}: {ring}"
+
+
 def fits(path, pattern):
     """Whether the pattern names the file or a folder above it."""
     return fnmatch.fnmatchcase(path, pattern) or fnmatch.fnmatchcase(path, pattern + "/*")
-
-
-class Arrow:
-    """One line of arrows.txt for one sheet; `sheet` is None in a line that names none."""
-
-    def __init__(self, left, right, sheet):
-        self.left = left.replace("<sheet>", sheet or "")
-        self.allowed, self.refused = [], []
-        for word in right.replace("<sheet>", sheet or "").split():
-            names = [word]
-            if "<other>" in word:
-                names = [word.replace("<other>", other) for other in SHEETS if other != sheet]
-            for name in names:
-                (self.refused if name.startswith("-") else self.allowed).append(name.removeprefix("-"))
-
-    def allows(self, path, included):
-        if pathlib.PurePath(included).parent == pathlib.PurePath(path).parent:
-            return True
-        return any(fits(included, x) for x in self.allowed) and not any(fits(included, x) for x in self.refused)
-
-
-def arrows(text):
-    found = []
-    for line in table(text):
-        left, right = (part.strip() for part in line.split(":"))
-        for sheet in SHEETS if "<sheet>" in left else (None,):
-            found.append(Arrow(left, right, sheet))
-    return found
-
-
-def include_faults(files, rules):
-    """`files` maps the path of each source to its text."""
-    for path, text in files.items():
-        rule = next((rule for rule in rules if fits(path, rule.left)), None)
-        if rule is None:
-            yield f"{path}: no line of arrows.txt fits its folder"
-            continue
-        for bracket, included in INCLUDE.findall(text):
-            if bracket == "<":
-                if path.startswith("core/") and re.match("[Qq]", included):
-                    yield f"{path}: includes <{included}>, and core knows no Qt"
-            elif included.endswith(".moc"):
-                continue
-            elif included not in files:
-                yield f'{path}: includes "{included}", which is no file counted from the project\'s folder'
-            elif not rule.allows(path, included):
-                yield f"{path}: includes {included}, against arrows.txt"
-
-
-def ring_faults(files):
-    """Headers that include each other in a ring; #pragma once would hide it until a type is missing."""
-    graph = {path: [name for bracket, name in INCLUDE.findall(text) if bracket == '"' and name in files]
-             for path, text in files.items()}
-    done, way = set(), []
-
-    def visit(path):
-        if path in way:
-            yield "ring of includes: " + " -> ".join(way[way.index(path):] + [path])
-        elif path not in done:
-            way.append(path)
-            for included in graph[path]:
-                yield from visit(included)
-            way.pop()
-            done.add(path)
-
-    for path in graph:
-        yield from visit(path)
 
 
 def code_alone(text):
@@ -121,8 +129,8 @@ def sources(root):
 
 def main():
     root = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else HERE.parent.parent
-    files = sources(root)
-    faults = [*include_faults(files, arrows((HERE / "arrows.txt").read_text(encoding="utf-8"))), *ring_faults(files),
+    files, heights = sources(root), floors((HERE / "floors.txt").read_text(encoding="utf-8"))
+    faults = [*room_faults(files, heights), *include_faults(files, heights), *ring_faults(files, heights),
               *banned_faults(files, (HERE / "banned.txt").read_text(encoding="utf-8"))]
     print(*faults, f"{len(files)} sources, {len(faults)} faults", sep="\n")
     return 0 if files and not faults else 1

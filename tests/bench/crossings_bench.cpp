@@ -1,7 +1,7 @@
 // How long it takes to find all crossings of a spline, and how many there are: with segments that run through the whole
 // sheet, where the crossings grow with the square of the points, and with segments that stay near each other.
 
-#include "core/crossings/crossings.h"
+#include "core/intersections/crossings.h"
 #include "tests/support/data_sets.h"
 
 #include <benchmark/benchmark.h>

@@ -1,5 +1,5 @@
 #include "app/kept_memory.h"
-#include "core/document/document_json.h"
+#include "core/io/json/document_json.h"
 #include "tests/support/test_window.h"
 
 #include <QElapsedTimer>

@@ -1,5 +1,5 @@
 #include "tests/support/test_window.h"
-#include "ui/panels/controls/number_field.h"
+#include "ui/controls/number_field.h"
 
 #include <gtest/gtest.h>
 #include <QAbstractItemView>

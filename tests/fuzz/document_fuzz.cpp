@@ -1,4 +1,4 @@
-#include "core/document/document_json.h"
+#include "core/io/json/document_json.h"
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,6 @@
-#include "core/document/document_json.h"
-#include "core/exchange/drawn_document.h"
+#include "core/io/json/document_json.h"
 #include "core/io/open.h"
+#include "core/io/svg/drawn_document.h"
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "core/document/limits.h"
+#include "core/curve/limits.h"
 #include "core/io/svg/paths/path_reader.h"
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "core/exchange/imported.h"
+#include "core/io/svg/imported.h"
 
 #include <cstdint>
 #include <cstdlib>

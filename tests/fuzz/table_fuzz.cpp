@@ -1,6 +1,6 @@
-#include "core/document/limits.h"
-#include "core/io/points_csv.h"
-#include "core/io/table_reader.h"
+#include "core/curve/limits.h"
+#include "core/io/tables/points_csv.h"
+#include "core/io/tables/table_reader.h"
 
 #include <cmath>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/curve/limits.h"
 #include "core/document/document.h"
-#include "core/document/limits.h"
 
 #include <rapidcheck.h>
 

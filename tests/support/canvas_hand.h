@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/bezier/evaluate.h"
-#include "core/combined/combined.h"
+#include "core/sheets/combined/combined.h"
 #include "tests/support/test_window.h"
 
 #include <gtest/gtest.h>

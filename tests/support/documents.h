@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/document/document_json.h"
 #include "core/document/report.h"
+#include "core/io/json/document_json.h"
 
 #include <gtest/gtest.h>
 

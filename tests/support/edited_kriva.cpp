@@ -14,7 +14,7 @@
 // Once it is looked at, "window TITLE", "modified" or "saved", and x are printed, for each window.
 #include "app/editor.h"
 #include "tests/support/test_window.h"
-#include "ui/shell/recovery_dialog.h"
+#include "ui/window/dialogs/recovery_dialog.h"
 
 #include <QComboBox>
 #include <QElapsedTimer>

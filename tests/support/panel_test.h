@@ -1,7 +1,7 @@
 #pragma once
 
 #include "tests/support/test_window.h"
-#include "ui/panels/controls/number_field.h"
+#include "ui/controls/number_field.h"
 
 #include <gtest/gtest.h>
 #include <QCheckBox>

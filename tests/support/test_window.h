@@ -1,13 +1,13 @@
 #pragma once
 
 #include "app/sheet_catalog.h"
-#include "ui/shell/document_session.h"
-#include "ui/shell/examples.h"
-#include "ui/shell/language/language.h"
-#include "ui/shell/look/desktop_scheme.h"
-#include "ui/shell/look/theme.h"
-#include "ui/shell/main_window.h"
-#include "ui/shell/preferences.h"
+#include "ui/base/examples.h"
+#include "ui/base/language/language.h"
+#include "ui/base/look/desktop_scheme.h"
+#include "ui/base/look/theme.h"
+#include "ui/base/preferences.h"
+#include "ui/window/document_session.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QDockWidget>

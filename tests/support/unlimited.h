@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/work/work_budget.h"
+#include "core/budget/work_budget.h"
 
 namespace kriva::test {
 

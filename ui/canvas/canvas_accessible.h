@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/canvas/selection.h"
+#include "ui/canvas/base/selection.h"
 
 namespace kriva::ui {
 

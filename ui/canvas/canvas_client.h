@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/point.h"
-#include "ui/canvas/selection.h"
+#include "ui/canvas/base/selection.h"
 
 #include <Qt>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ui/canvas/figure_item.h"
-#include "ui/canvas/hit_test.h"
-#include "ui/canvas/snapping.h"
+#include "ui/canvas/base/hit_test.h"
+#include "ui/canvas/base/snapping.h"
+#include "ui/canvas/drawing/figure_item.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 #include "ui/canvas/canvas_scene.h"
 
+#include "ui/canvas/base/qt_geometry.h"
 #include "ui/canvas/drawing/difference.h"
-#include "ui/canvas/qt_geometry.h"
 
 #include <QPainter>
 #include <QPalette>

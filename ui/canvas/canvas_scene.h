@@ -1,9 +1,9 @@
 #pragma once
 
+#include "ui/canvas/base/grid.h"
+#include "ui/canvas/base/snapping.h"
 #include "ui/canvas/canvas_curves.h"
-#include "ui/canvas/drawing/grid.h"
 #include "ui/canvas/drawing/highlights.h"
-#include "ui/canvas/snapping.h"
 
 #include <QGraphicsScene>
 

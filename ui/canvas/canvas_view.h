@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ui/canvas/canvas_scene.h"
-#include "ui/canvas/gestures/gestures.h"
-#include "ui/canvas/gestures/key_gestures.h"
+#include "ui/canvas/gestures.h"
+#include "ui/canvas/key_gestures.h"
 
 #include <QGraphicsView>
 

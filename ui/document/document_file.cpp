@@ -1,8 +1,8 @@
 #include "ui/document/document_file.h"
 
-#include "core/document/document_json.h"
-#include "core/exchange/drawn_document.h"
+#include "core/io/json/document_json.h"
 #include "core/io/open.h"
+#include "core/io/svg/drawn_document.h"
 
 namespace kriva::ui {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/curve/file_error.h"
 #include "core/document/document.h"
-#include "core/document/file_error.h"
 #include "ui/document/bounded_read.h"
 #include "ui/document/safe_write.h"
 

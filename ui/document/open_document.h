@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/file_error.h"
+#include "core/curve/file_error.h"
 #include "ui/document/serial_document.h"
 #include "ui/document/step_label.h"
 #include "ui/document/swap_curves.h"

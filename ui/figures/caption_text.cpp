@@ -1,6 +1,6 @@
 #include "ui/figures/caption_text.h"
 
-#include "ui/shell/language/number_text.h"
+#include "ui/base/language/number_text.h"
 
 #include <QCoreApplication>
 

@@ -1,8 +1,8 @@
 #include "ui/figures/figure_file.h"
 
-#include "core/io/plain_number.h"
-#include "core/io/points_csv.h"
+#include "core/io/numbers/plain_number.h"
 #include "core/io/svg/svg_writer.h"
+#include "core/io/tables/points_csv.h"
 #include "ui/document/error_text.h"
 #include "ui/figures/caption_text.h"
 #include "ui/figures/figure_ink.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/drawing.h"
+#include "core/io/drawing/drawing.h"
 #include "core/io/latex/tikz_writer.h"
 #include "ui/figures/picture_files.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/view/figure_options.h"
+#include "core/figure/style/figure_options.h"
 
 #include <QString>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/io/drawing.h"
+#include "core/io/drawing/drawing.h"
 
 #include <QByteArray>
 #include <QSize>

@@ -2,7 +2,7 @@
 
 #include "core/figure/role_style.h"
 #include "core/geometry/simplify.h"
-#include "core/io/drawn_pieces.h"
+#include "core/io/drawing/drawn_pieces.h"
 #include "ui/figures/figure_ink.h"
 
 #include <QPaintEngine>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/figure/figure.h"
-#include "core/figure/page.h"
-#include "core/figure/theme.h"
+#include "core/figure/style/page.h"
+#include "core/figure/style/theme.h"
 
 class QPainter;
 

@@ -1,8 +1,8 @@
 #include "ui/panels/curves_model.h"
 
 #include "core/figure/role_style.h"
-#include "ui/sheets/curve_name.h"
-#include "ui/sheets/sheet_editor.h"
+#include "ui/editing/sheet/curve_name.h"
+#include "ui/editing/sheet_editor.h"
 
 #include <QColor>
 #include <QFont>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/view/style.h"
+#include "core/figure/style/style.h"
 #include "ui/document/serial.h"
 
 #include <QAbstractListModel>

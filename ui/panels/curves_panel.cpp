@@ -1,8 +1,8 @@
 #include "ui/panels/curves_panel.h"
 
+#include "ui/base/look/icons.h"
+#include "ui/editing/sheet_editor.h"
 #include "ui/panels/style_editor.h"
-#include "ui/sheets/sheet_editor.h"
-#include "ui/shell/look/icons.h"
 
 #include <QColorDialog>
 #include <QCoreApplication>

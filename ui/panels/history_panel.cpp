@@ -1,6 +1,6 @@
 #include "ui/panels/history_panel.h"
 
-#include "ui/sheets/sheet_editor.h"
+#include "ui/editing/sheet_editor.h"
 
 #include <QEvent>
 #include <QSignalBlocker>

@@ -1,7 +1,7 @@
 #include "ui/panels/layers_panel.h"
 
+#include "ui/editing/sheet_editor.h"
 #include "ui/figures/caption_text.h"
-#include "ui/sheets/sheet_editor.h"
 
 #include <QEvent>
 #include <QSignalBlocker>

@@ -1,7 +1,7 @@
 #include "ui/panels/point_delegate.h"
 
-#include "core/document/limits.h"
-#include "ui/panels/controls/number_field.h"
+#include "core/curve/limits.h"
+#include "ui/controls/number_field.h"
 #include "ui/panels/points_model.h"
 
 #include <QClipboard>

@@ -1,8 +1,8 @@
 #include "ui/panels/points_model.h"
 
-#include "core/exchange/conversion.h"
-#include "ui/sheets/sheet_editor.h"
-#include "ui/shell/language/number_text.h"
+#include "core/document/conversion.h"
+#include "ui/base/language/number_text.h"
+#include "ui/editing/sheet_editor.h"
 
 #include <QCoreApplication>
 

@@ -1,6 +1,6 @@
 #include "ui/panels/points_panel.h"
 
-#include "ui/sheets/sheet_editor.h"
+#include "ui/editing/sheet_editor.h"
 
 #include <QEvent>
 #include <QHeaderView>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/canvas/selection.h"
+#include "ui/canvas/base/selection.h"
 #include "ui/panels/point_delegate.h"
 #include "ui/panels/points_model.h"
 

@@ -1,7 +1,7 @@
 #include "ui/panels/result_text.h"
 
+#include "ui/base/language/number_text.h"
 #include "ui/figures/caption_text.h"
-#include "ui/shell/language/number_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>

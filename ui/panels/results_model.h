@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/results.h"
+#include "core/curve/results.h"
 
 #include <QAbstractTableModel>
 

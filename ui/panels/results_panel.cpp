@@ -1,6 +1,6 @@
 #include "ui/panels/results_panel.h"
 
-#include "ui/sheets/results/sheet_relations.h"
+#include "ui/editing/results/sheet_relations.h"
 
 #include <QClipboard>
 #include <QEvent>

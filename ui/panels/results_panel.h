@@ -1,9 +1,9 @@
 #pragma once
 
+#include "ui/editing/results/curve_results.h"
+#include "ui/editing/sheet/pointed_out.h"
 #include "ui/panels/results_model.h"
 #include "ui/panels/watched_panel.h"
-#include "ui/sheets/pointed_out.h"
-#include "ui/sheets/results/curve_results.h"
 
 #include <QTreeView>
 

@@ -1,9 +1,9 @@
 #include "ui/panels/style_editor.h"
 
 #include "core/figure/role_style.h"
-#include "ui/panels/controls/labelled_form.h"
-#include "ui/panels/controls/number_field.h"
-#include "ui/sheets/sheet_editor.h"
+#include "ui/controls/labelled_form.h"
+#include "ui/controls/number_field.h"
+#include "ui/editing/sheet_editor.h"
 
 #include <QCoreApplication>
 #include <QEvent>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/figure/page.h"
 #include "core/figure/plot/plot.h"
+#include "core/figure/style/page.h"
 
 namespace kriva {
 

@@ -1,6 +1,6 @@
 #include "core/io/latex/latex_text.h"
 
-#include "core/document/text/utf8.h"
+#include "core/curve/text/utf8.h"
 
 #include <algorithm>
 #include <array>

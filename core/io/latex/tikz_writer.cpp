@@ -2,9 +2,9 @@
 
 #include "core/figure/label_placement.h"
 #include "core/figure/labels.h"
-#include "core/io/drawn_pieces.h"
+#include "core/io/drawing/drawn_pieces.h"
 #include "core/io/latex/latex_text.h"
-#include "core/io/plain_number.h"
+#include "core/io/numbers/plain_number.h"
 
 #include <algorithm>
 #include <map>

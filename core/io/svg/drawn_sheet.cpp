@@ -1,9 +1,9 @@
 #include "core/io/svg/drawn_sheet.h"
 
-#include "core/document/document_json.h"
-#include "core/document/json/json_format.h"
-#include "core/document/json/json_writer.h"
-#include "core/io/svg/svg_names.h"
+#include "core/curve/json/json_format.h"
+#include "core/curve/json/json_writer.h"
+#include "core/io/json/document_json.h"
+#include "core/io/svg/xml/svg_names.h"
 
 #include <algorithm>
 

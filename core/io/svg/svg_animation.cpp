@@ -1,6 +1,6 @@
 #include "core/io/svg/svg_animation.h"
 
-#include "core/io/plain_number.h"
+#include "core/io/numbers/plain_number.h"
 
 #include <algorithm>
 

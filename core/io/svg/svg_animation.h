@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/figure/label_placement.h"
-#include "core/io/drawing.h"
+#include "core/io/drawing/drawing.h"
 
 namespace kriva {
 

@@ -1,7 +1,7 @@
 #include "core/io/svg/svg_path.h"
 
-#include "core/io/drawn_pieces.h"
-#include "core/io/plain_number.h"
+#include "core/io/drawing/drawn_pieces.h"
+#include "core/io/numbers/plain_number.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "core/io/svg/svg_reader.h"
 
-#include "core/document/document_json.h"
-#include "core/io/svg/svg_names.h"
-#include "core/io/svg/svg_xml.h"
+#include "core/io/json/document_json.h"
+#include "core/io/svg/xml/svg_names.h"
+#include "core/io/svg/xml/svg_xml.h"
 
 namespace kriva {
 namespace {

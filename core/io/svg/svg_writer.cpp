@@ -1,15 +1,15 @@
 #include "core/io/svg/svg_writer.h"
 
-#include "core/document/document_json.h"
-#include "core/figure/color.h"
 #include "core/figure/label_placement.h"
 #include "core/figure/labels.h"
-#include "core/io/plain_number.h"
+#include "core/figure/style/color.h"
+#include "core/io/json/document_json.h"
+#include "core/io/numbers/plain_number.h"
 #include "core/io/svg/drawn_sheet.h"
 #include "core/io/svg/svg_animation.h"
-#include "core/io/svg/svg_names.h"
 #include "core/io/svg/svg_path.h"
-#include "core/io/svg/xml_text.h"
+#include "core/io/svg/xml/svg_names.h"
+#include "core/io/svg/xml/xml_text.h"
 
 #include <algorithm>
 #include <set>

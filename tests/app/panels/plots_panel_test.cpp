@@ -1,5 +1,5 @@
 #include "core/bezier/evaluate.h"
-#include "core/elevation/elevation.h"
+#include "core/sheets/elevation/elevation.h"
 #include "tests/support/panel_test.h"
 #include "ui/panels/plots/plots_panel.h"
 #include "ui/panels/result_text.h"

@@ -1,9 +1,9 @@
 #include "tests/support/panel_test.h"
+#include "ui/base/examples.h"
+#include "ui/controls/player.h"
 #include "ui/figures/caption_text.h"
-#include "ui/panels/controls/player.h"
 #include "ui/panels/result_text.h"
 #include "ui/panels/results_panel.h"
-#include "ui/shell/examples.h"
 
 #include <QClipboard>
 

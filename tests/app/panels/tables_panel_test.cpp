@@ -1,4 +1,4 @@
-#include "core/io/table_writer.h"
+#include "core/io/tables/table_writer.h"
 #include "tests/support/panel_test.h"
 #include "ui/figures/caption_text.h"
 #include "ui/panels/results_panel.h"

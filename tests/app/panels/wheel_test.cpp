@@ -1,7 +1,7 @@
 #include "tests/support/panel_test.h"
+#include "ui/export/export_dialog.h"
 #include "ui/panels/style_editor.h"
-#include "ui/sheets/properties/properties_area.h"
-#include "ui/shell/export/export_dialog.h"
+#include "ui/tabs/properties/properties_area.h"
 
 #include <QComboBox>
 #include <QScrollBar>

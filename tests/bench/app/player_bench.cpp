@@ -1,5 +1,5 @@
 #include "tests/support/test_window.h"
-#include "ui/panels/controls/player.h"
+#include "ui/controls/player.h"
 
 #include <benchmark/benchmark.h>
 

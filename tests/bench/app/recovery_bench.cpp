@@ -1,7 +1,7 @@
 // How long the window's thread is kept while unsaved work is recorded, and what the other thread has to do: a chain of
 // knots, cut into curves of 100,000, which is as large as curves are.
 #include "app/kept_memory.h"
-#include "core/document/document_json.h"
+#include "core/io/json/document_json.h"
 #include "ui/document/recovery/document_shadow.h"
 #include "ui/document/sharing/content_hash.h"
 

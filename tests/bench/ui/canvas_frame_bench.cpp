@@ -1,6 +1,6 @@
 #include "tests/support/canvas_spline.h"
+#include "ui/canvas/base/qt_geometry.h"
 #include "ui/canvas/canvas_view.h"
-#include "ui/canvas/qt_geometry.h"
 
 #include <benchmark/benchmark.h>
 #include <QApplication>

@@ -1,6 +1,6 @@
 #include "core/bezier/evaluate.h"
-#include "core/combined/monotone_runs.h"
-#include "core/spline/spline.h"
+#include "core/sheets/combined/monotone_runs.h"
+#include "core/sheets/spline/chain/spline.h"
 #include "tests/support/documents.h"
 
 #include <gtest/gtest.h>

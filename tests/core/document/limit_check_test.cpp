@@ -1,5 +1,5 @@
+#include "core/curve/limits.h"
 #include "core/document/limit_check.h"
-#include "core/document/limits.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
-#include "core/combined/views/combined_plots.h"
-#include "core/combined/views/combined_tables.h"
-#include "core/comparison/methods.h"
 #include "core/document/document.h"
-#include "core/elevation/views/elevation_plots.h"
-#include "core/elevation/views/elevation_tables.h"
-#include "core/spline/views/spline_plots.h"
-#include "core/spline/views/spline_tables.h"
-#include "core/subdivision/views/subdivision_plots.h"
-#include "core/subdivision/views/subdivision_tables.h"
+#include "core/document/methods.h"
+#include "core/sheets/combined/views/combined_plots.h"
+#include "core/sheets/combined/views/combined_tables.h"
+#include "core/sheets/elevation/views/elevation_plots.h"
+#include "core/sheets/elevation/views/elevation_tables.h"
+#include "core/sheets/spline/views/spline_plots.h"
+#include "core/sheets/spline/views/spline_tables.h"
+#include "core/sheets/subdivision/views/subdivision_plots.h"
+#include "core/sheets/subdivision/views/subdivision_tables.h"
 
 #include <gtest/gtest.h>
 

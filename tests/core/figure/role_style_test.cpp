@@ -1,5 +1,5 @@
-#include "core/figure/color.h"
 #include "core/figure/role_style.h"
+#include "core/figure/style/color.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "core/document/document_json.h"
+#include "core/curve/text/utf8.h"
 #include "core/document/report.h"
-#include "core/document/text/utf8.h"
-#include "core/exchange/imported.h"
+#include "core/io/json/document_json.h"
 #include "core/io/open.h"
+#include "core/io/svg/imported.h"
 
 #include <gtest/gtest.h>
 

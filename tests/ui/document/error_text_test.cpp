@@ -1,8 +1,8 @@
-#include "core/document/document_json.h"
 #include "core/document/limit_check.h"
 #include "core/document/report.h"
-#include "core/exchange/imported.h"
+#include "core/io/json/document_json.h"
 #include "core/io/open.h"
+#include "core/io/svg/imported.h"
 #include "ui/document/error_text.h"
 
 #include <gtest/gtest.h>

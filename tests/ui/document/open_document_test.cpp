@@ -1,9 +1,9 @@
-#include "core/document/document_json.h"
-#include "core/document/limits.h"
-#include "core/subdivision/subdivision_edits.h"
+#include "core/curve/limits.h"
+#include "core/io/json/document_json.h"
+#include "core/sheets/subdivision/subdivision_edits.h"
 #include "tests/support/long_run.h"
 #include "ui/document/open_document.h"
-#include "ui/sheets/sheet_editor.h"
+#include "ui/editing/sheet_editor.h"
 
 #include <gtest/gtest.h>
 #include <QSignalSpy>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ui/canvas/base/snapping.h"
 #include "ui/canvas/drawing/stamps.h"
-#include "ui/canvas/snapping.h"
 
 #include <QColor>
 

@@ -1,6 +1,6 @@
 #include "ui/canvas/drawing/stamps.h"
 
-#include "ui/canvas/qt_geometry.h"
+#include "ui/canvas/base/qt_geometry.h"
 #include "ui/figures/figure_ink.h"
 
 #include <QPainter>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/figure/role_style.h"
-#include "ui/canvas/viewport.h"
+#include "ui/canvas/base/viewport.h"
 
 #include <QPixmap>
 

@@ -1,6 +1,6 @@
 #include "ui/canvas/drawing/visible_path.h"
 
-#include "ui/canvas/qt_geometry.h"
+#include "ui/canvas/base/qt_geometry.h"
 
 #include <algorithm>
 #include <cmath>

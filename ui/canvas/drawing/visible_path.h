@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/figure/figure.h"
+#include "ui/canvas/base/viewport.h"
 #include "ui/canvas/drawing/frame_load.h"
-#include "ui/canvas/viewport.h"
 
 #include <QPolygonF>
 

@@ -1,6 +1,6 @@
 #include "ui/canvas/rulers/ruler.h"
 
-#include "ui/canvas/drawing/grid.h"
+#include "ui/canvas/base/grid.h"
 #include "ui/figures/caption_text.h"
 
 #include <QEvent>

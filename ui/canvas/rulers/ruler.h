@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/canvas/viewport.h"
+#include "ui/canvas/base/viewport.h"
 
 #include <QWidget>
 

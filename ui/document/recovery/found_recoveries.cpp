@@ -1,7 +1,7 @@
 #include "ui/document/recovery/found_recoveries.h"
 
-#include "ui/document/recovery/state_folder.h"
 #include "ui/document/sharing/content_hash.h"
+#include "ui/document/state_folder.h"
 
 #include <QDir>
 #include <QLockFile>

@@ -1,8 +1,8 @@
 #include "ui/document/recovery/recovery_writer.h"
 
-#include "core/document/document_json.h"
-#include "ui/document/recovery/state_folder.h"
+#include "core/io/json/document_json.h"
 #include "ui/document/sharing/content_hash.h"
+#include "ui/document/state_folder.h"
 
 #include <QLockFile>
 

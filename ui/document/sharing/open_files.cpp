@@ -1,7 +1,7 @@
 #include "ui/document/sharing/open_files.h"
 
-#include "ui/document/recovery/state_folder.h"
 #include "ui/document/sharing/content_hash.h"
+#include "ui/document/state_folder.h"
 
 #include <QDir>
 #include <QFileInfo>

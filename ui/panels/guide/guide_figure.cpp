@@ -1,8 +1,8 @@
 #include "ui/panels/guide/guide_figure.h"
 
-#include "ui/canvas/figure_item.h"
+#include "ui/base/examples.h"
+#include "ui/canvas/drawing/figure_item.h"
 #include "ui/figures/caption_text.h"
-#include "ui/shell/examples.h"
 
 #include <QFile>
 #include <QPainter>

@@ -1,11 +1,11 @@
 #include "ui/panels/guide/guide_panel.h"
 
+#include "ui/base/examples.h"
+#include "ui/base/language/language.h"
+#include "ui/base/look/theme.h"
 #include "ui/figures/figure_ink.h"
 #include "ui/panels/guide/formula_html.h"
 #include "ui/panels/guide/guide_figure.h"
-#include "ui/shell/examples.h"
-#include "ui/shell/language/language.h"
-#include "ui/shell/look/theme.h"
 
 #include <QCoreApplication>
 #include <QEvent>

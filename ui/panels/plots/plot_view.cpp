@@ -1,6 +1,6 @@
 #include "ui/panels/plots/plot_view.h"
 
-#include "ui/canvas/qt_geometry.h"
+#include "ui/canvas/base/qt_geometry.h"
 #include "ui/figures/caption_text.h"
 
 #include <QKeyEvent>

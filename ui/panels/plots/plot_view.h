@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/figure/plot/plot_figure.h"
-#include "ui/canvas/figure_item.h"
+#include "ui/canvas/drawing/figure_item.h"
 
 #include <QWidget>
 

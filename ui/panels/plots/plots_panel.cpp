@@ -1,9 +1,9 @@
 #include "ui/panels/plots/plots_panel.h"
 
+#include "ui/base/look/icons.h"
+#include "ui/base/look/plain_label.h"
 #include "ui/figures/caption_text.h"
 #include "ui/panels/result_text.h"
-#include "ui/shell/look/icons.h"
-#include "ui/shell/look/plain_label.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "ui/panels/controls/kept_choice.h"
+#include "ui/controls/kept_choice.h"
+#include "ui/editing/results/curve_work.h"
 #include "ui/panels/plots/plot_view.h"
 #include "ui/panels/watched_panel.h"
-#include "ui/sheets/results/curve_work.h"
 
 #include <QLabel>
 #include <QToolButton>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/table.h"
+#include "core/curve/table.h"
 
 #include <QAbstractTableModel>
 

@@ -1,8 +1,8 @@
 #include "ui/panels/tables/tables_panel.h"
 
-#include "core/io/table_writer.h"
+#include "core/io/tables/table_writer.h"
+#include "ui/base/look/plain_label.h"
 #include "ui/figures/caption_text.h"
-#include "ui/shell/look/plain_label.h"
 
 #include <QClipboard>
 #include <QEvent>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ui/panels/controls/kept_choice.h"
+#include "ui/controls/kept_choice.h"
+#include "ui/editing/results/curve_work.h"
+#include "ui/editing/sheet/pointed_out.h"
 #include "ui/panels/tables/table_model.h"
 #include "ui/panels/watched_panel.h"
-#include "ui/sheets/pointed_out.h"
-#include "ui/sheets/results/curve_work.h"
 
 #include <QLabel>
 #include <QTableView>

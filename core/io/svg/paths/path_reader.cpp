@@ -1,6 +1,6 @@
 #include "core/io/svg/paths/path_reader.h"
 
-#include "core/document/limits.h"
+#include "core/curve/limits.h"
 #include "core/io/svg/paths/subpaths.h"
 #include "core/io/svg/paths/svg_scanner.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document/file_error.h"
+#include "core/curve/file_error.h"
 #include "core/figure/figure.h"
 
 #include <string>

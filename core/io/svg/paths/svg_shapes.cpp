@@ -3,7 +3,7 @@
 #include "core/io/svg/paths/path_reader.h"
 #include "core/io/svg/paths/subpaths.h"
 #include "core/io/svg/paths/svg_scanner.h"
-#include "core/io/svg/svg_xml.h"
+#include "core/io/svg/xml/svg_xml.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #include "core/io/svg/paths/svg_walk.h"
 
-#include "core/document/limits.h"
+#include "core/curve/limits.h"
 #include "core/io/svg/paths/svg_transform.h"
 #include "core/io/svg/paths/visibility.h"
-#include "core/io/svg/svg_names.h"
+#include "core/io/svg/xml/svg_names.h"
 
 namespace kriva {
 

@@ -4,7 +4,7 @@
 #include "core/io/svg/paths/map_trail.h"
 #include "core/io/svg/paths/svg_paths.h"
 #include "core/io/svg/paths/svg_view_box.h"
-#include "core/io/svg/svg_xml.h"
+#include "core/io/svg/xml/svg_xml.h"
 
 #include <cmath>
 #include <optional>

@@ -1,5 +1,5 @@
-#include "core/document/document_json.h"
-#include "core/document/limits.h"
+#include "core/curve/limits.h"
+#include "core/io/json/document_json.h"
 #include "core/io/open.h"
 #include "core/io/svg/svg_reader.h"
 #include "core/io/svg/svg_writer.h"

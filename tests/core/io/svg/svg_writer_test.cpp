@@ -1,5 +1,5 @@
-#include "core/document/document_json.h"
 #include "core/figure/labels.h"
+#include "core/io/json/document_json.h"
 #include "core/io/svg/svg_writer.h"
 #include "tests/support/any_document.h"
 

@@ -1,7 +1,7 @@
 #include "core/bezier/evaluate.h"
 #include "core/geometry/segment.h"
+#include "ui/canvas/base/qt_geometry.h"
 #include "ui/canvas/drawing/visible_path.h"
-#include "ui/canvas/qt_geometry.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

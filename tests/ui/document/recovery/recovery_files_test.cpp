@@ -1,11 +1,11 @@
-#include "core/document/document_json.h"
+#include "core/io/json/document_json.h"
 #include "tests/support/faulty_save.h"
 #include "tests/support/long_run.h"
 #include "ui/document/file_rights.h"
 #include "ui/document/recovery/found_recoveries.h"
 #include "ui/document/recovery/recovery_files.h"
-#include "ui/document/recovery/state_folder.h"
 #include "ui/document/sharing/content_hash.h"
+#include "ui/document/state_folder.h"
 
 #include <gtest/gtest.h>
 #include <QDir>

@@ -1,6 +1,6 @@
-#include "core/document/document_json.h"
+#include "core/io/json/document_json.h"
 #include "ui/document/recovery/recovery.h"
-#include "ui/document/recovery/state_folder.h"
+#include "ui/document/state_folder.h"
 
 #include <gtest/gtest.h>
 #include <QDir>

@@ -1,11 +1,11 @@
-#include "core/combined/combined.h"
-#include "core/elevation/elevation.h"
-#include "core/spline/spline.h"
-#include "core/subdivision/subdivision.h"
+#include "core/sheets/combined/combined.h"
+#include "core/sheets/elevation/elevation.h"
+#include "core/sheets/spline/chain/spline.h"
+#include "core/sheets/subdivision/subdivision.h"
+#include "ui/base/examples.h"
+#include "ui/base/language/language.h"
 #include "ui/panels/guide/formula_html.h"
 #include "ui/panels/guide/guide_figure.h"
-#include "ui/shell/examples.h"
-#include "ui/shell/language/language.h"
 
 #include <gtest/gtest.h>
 #include <QCoreApplication>

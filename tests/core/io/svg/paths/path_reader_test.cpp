@@ -1,5 +1,5 @@
 #include "core/bezier/evaluate.h"
-#include "core/document/limits.h"
+#include "core/curve/limits.h"
 #include "core/io/svg/paths/elliptical_arc.h"
 #include "core/io/svg/paths/path_reader.h"
 

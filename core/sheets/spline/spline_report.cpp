@@ -1,0 +1,64 @@
+#include "core/sheets/spline/spline_report.h"
+
+#include "core/figure/labels.h"
+#include "core/sheets/spline/spline_measures.h"
+
+namespace kriva {
+void reportCurve(JsonWriter& json, const SplineCurve& curve) {
+    const SplineMeasures measures = measure(curve);
+    json.member("degree", curve.degree).member("length", measures.length).member("bounds", measures.bounds);
+    json.key("segments").beginList();
+    for (std::size_t i = 0; i < measures.lengths.size(); ++i)
+        json.beginObject()
+            .member("points", measures.chain.segments[i])
+            .member("length", measures.lengths[i])
+            .endObject();
+    json.endList().key("knots").beginList();
+    for (const Continuity continuity : measures.chain.continuity)
+        json.beginObject().member("continuity", nameOf(continuity)).endObject();
+    json.endList()
+        .member("curvatureExtrema", measures.curvatureExtrema)
+        .member("bendingEnergy", measures.bendingEnergy);
+}
+
+std::optional<std::vector<Result>> results(const SplineCurve& curve, WorkBudget& budget) {
+    const std::optional<SplineMeasures> found = measure(curve, budget);
+    if (!found)
+        return {};
+    const SplineMeasures& measures = *found;
+    std::vector<Result> rows{{Caption::degree, "", curve.degree},
+                             {Caption::length, "", measures.length},
+                             {Caption::bounds, "", measures.bounds},
+                             {Caption::curvatureExtrema, "", measures.curvatureExtrema},
+                             {Caption::bendingEnergy, "", measures.bendingEnergy}};
+    for (std::size_t i = 0; i < measures.lengths.size(); ++i) {
+        const std::string index = decimal(static_cast<int>(i));
+        rows.push_back({Caption::segmentLength, index, measures.lengths[i]});
+        rows.push_back({Caption::coefficients, index, powerCoefficients(measures.chain.segments[i])});
+    }
+    for (std::size_t i = 0; i < measures.chain.continuity.size(); ++i) {
+        const Continuity continuity = measures.chain.continuity[i];
+        const Result::Value value =
+            continuity == Continuity::end ? Result::Value(Caption::openEnd) : std::string(nameOf(continuity));
+        rows.push_back({Caption::continuity, decimal(static_cast<int>(i)), value});
+    }
+    return rows;
+}
+
+std::vector<Vector> powerCoefficients(std::span<const Point> segment) {
+    std::vector<Vector> coefficients{segment.front() - Point{}};
+    std::vector<Vector> differences;
+    for (const Point p : segment)
+        differences.push_back(p - segment.front());
+    double binomial = 1;
+    for (std::size_t k = 1; k < segment.size(); ++k) {
+        const std::size_t left = segment.size() - k;
+        for (std::size_t i = 0; i < left; ++i)
+            differences[i] = differences[i + 1] - differences[i];
+        binomial *= static_cast<double>(left) / static_cast<double>(k);
+        coefficients.push_back(binomial * differences[0]);
+    }
+    return coefficients;
+}
+
+} // namespace kriva

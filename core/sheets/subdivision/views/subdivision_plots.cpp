@@ -1,0 +1,16 @@
+#include "core/sheets/subdivision/views/subdivision_plots.h"
+
+#include "core/figure/plot/bernstein_plot.h"
+
+namespace kriva {
+
+std::optional<std::vector<PlotGroup>> plotsOf(const SubdivisionCurve& curve, WorkBudget& budget) {
+    if (isIncomplete(curve))
+        return std::vector<PlotGroup>();
+    if (!budget.spend())
+        return {};
+    const int degree = static_cast<int>(controlPointCount(curve)) - 1;
+    return {{{Caption::bernsteinPolynomials, {bernsteinPlot(degree, curve.t)}}}};
+}
+
+} // namespace kriva

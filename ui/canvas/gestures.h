@@ -1,0 +1,66 @@
+#pragma once
+
+#include "ui/canvas/clicks.h"
+
+#include <QRectF>
+
+class QMouseEvent;
+class QWheelEvent;
+
+namespace kriva::ui {
+
+enum class Tool { edit, add };
+
+inline constexpr double kZoomStep = 1.25; ///< of Zoom in and of a notch of the wheel
+
+/// Turns what the mouse does on a canvas into wishes: which press means what, and where a click becomes a drag.
+class Gestures {
+  public:
+    Gestures(CanvasView& view, CanvasClient& client);
+
+    void press(const QMouseEvent& event);
+    void move(const QMouseEvent& event);
+    void release(const QMouseEvent& event);
+    void doubleClick(const QMouseEvent& event);
+    /// Scrolls, sideways with Shift, or zooms at the pointer with Ctrl.
+    void wheel(QWheelEvent& event);
+    /// The pointer is elsewhere: nothing is hovered any more.
+    void leave();
+    /// While it is held before a press, the press pans; what it means in a drag is the client's to say.
+    void setSpaceHeld(bool isHeld);
+    /// The view or the modifier keys changed under a pointer that stands still.
+    void follow(Qt::KeyboardModifiers modifiers);
+    /// Curves changed under it; a drag that changes them knows.
+    void lookAgain();
+
+    /// Where a point would be inserted.
+    [[nodiscard]] std::optional<CurvePlace> curveUnderPointer() const;
+
+    /// Whether a mouse button that means something is down.
+    [[nodiscard]] bool isRunning() const { return state_ != State::idle; }
+    /// Takes back what goes on.
+    void cancel();
+    /// Ends it as if the button had been released.
+    void finish();
+    void showCursor();
+
+  private:
+    enum class State { idle, pressed, dragging, banding, panning };
+    void begin(const QMouseEvent& event);
+    [[nodiscard]] Press pressOf(const QMouseEvent& event) const;
+    void startDrag();
+    void finishBand();
+    void setState(State state);
+    [[nodiscard]] QRectF band() const;
+
+    CanvasView& view_;
+    CanvasClient& client_;
+    State state_ = State::idle;
+    Press press_;
+    QPointF pixel_;                   ///< where the pointer is
+    Qt::KeyboardModifiers modifiers_; ///< as last told
+    bool isPointerInside_ = false;
+    bool isSpaceHeld_ = false;
+};
+
+} // namespace kriva::ui

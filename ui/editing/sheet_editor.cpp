@@ -1,0 +1,265 @@
+#include "ui/editing/sheet_editor.h"
+
+#include "core/document/conversion.h"
+#include "core/document/document_drags.h"
+#include "core/geometry/tolerance.h"
+#include "ui/base/language/plain_text.h"
+#include "ui/editing/sheet/move_label.h"
+#include "ui/editing/sheet_drag.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace kriva::ui {
+
+bool SheetEditor::addPoint(Point at) {
+    if (!beginAdding(at))
+        return false;
+    document().endGesture();
+    return true;
+}
+
+bool SheetEditor::beginAdding(Point at) {
+    const StepLabel label{QT_TRANSLATE_NOOP("Step", "Add a point")};
+    if (activeCurve())
+        document().beginGesture(index(), activeSerial(), label);
+    else if (!document().beginGestureWithNew(index(), 0, emptyCurve(index()), label))
+        return false;
+    Curve curve = withPointAdded(*activeCurve(), at).curve;
+    const std::size_t count = pointCount(curve);
+    document().preview(std::move(curve));
+    if (pointCount(*activeCurve()) != count) {
+        document().cancelGesture();
+        return false;
+    }
+    select({{activeSerial(), {GripKind::point, static_cast<int>(count) - 1}}});
+    return true;
+}
+
+void SheetEditor::append(const Curve& points, const StepLabel& label) {
+    const Curve* curve = activeCurve();
+    const std::size_t before = curve ? pointCount(*curve) : 0;
+    const bool isDone = curve ? document().change(index(), activeSerial(), appended(*curve, points), label)
+                              : document().add(index(), 0, appended(emptyCurve(index()), points), label).has_value();
+    if (!isDone)
+        return;
+    Selection added;
+    added.insertPoints(activeSerial(), static_cast<int>(before), static_cast<int>(pointCount(*activeCurve())));
+    select(std::move(added));
+}
+
+void SheetEditor::insertPoint(Serial serial, Point near) {
+    if (beginInserting(serial, near))
+        document().endGesture();
+}
+
+std::optional<int> SheetEditor::beginInserting(Serial serial, Point near) {
+    const Curve* curve = document().find(index(), serial);
+    if (!curve)
+        return {};
+    return beginInserting(serial, withPointInserted(*curve, near), near);
+}
+
+void SheetEditor::insertPointBehindSelected() {
+    const Curve* curve = activeCurve();
+    if (!curve || pointCount(*curve) == 0)
+        return;
+    const std::vector<int> selected = selectedPoints();
+    const std::optional<int> point = selected.empty() ? std::nullopt : std::optional(selected.back());
+    const int middle = static_cast<int>(pointCount(*curve)) / 2;
+    if (beginInserting(activeSerial(), withPointInsertedBehind(*curve, point), pointAt(*curve, point.value_or(middle))))
+        document().endGesture();
+}
+
+std::optional<int> SheetEditor::beginInserting(Serial serial, std::optional<Edited<Curve>> edited, Point near) {
+    if (!edited) {
+        Q_EMIT hint({QT_TRANSLATE_NOOP("Hint", "No point can be inserted here")});
+        return {};
+    }
+    const int point = newPointNear(*edited, near);
+    const std::size_t count = pointCount(edited->curve);
+    document().beginGesture(index(), serial, {QT_TRANSLATE_NOOP("Step", "Insert a point")});
+    document().preview(std::move(edited->curve));
+    if (pointCount(*document().find(index(), serial)) != count) {
+        document().cancelGesture();
+        return {};
+    }
+    select({{serial, {GripKind::point, point}}});
+    return point;
+}
+
+void SheetEditor::removePoints(Serial serial, const std::vector<int>& indices, Removal removal,
+                               const std::optional<StepLabel>& label) {
+    const Curve* curve = document().find(index(), serial);
+    if (!curve || indices.empty())
+        return;
+    const Curve before = *curve;
+    Refitted<Curve> refitted = removal == Removal::refitted ? withPointsRemovedRefitted(before, indices)
+                                                            : Refitted<Curve>{withPointsRemoved(before, indices), {}};
+    const StepLabel usual = indices.size() == 1 ? StepLabel{QT_TRANSLATE_NOOP("Step", "Remove point %1"), indices[0]}
+                                                : StepLabel{QT_TRANSLATE_NOOP("Step", "Remove points")};
+    const Selection selected = selection(); // the change drops what lies beyond the end; the map knows where it went
+    if (document().change(index(), serial, std::move(refitted.edited.curve), label.value_or(usual))) {
+        selectMapped(selected, serial, refitted.edited.map);
+        tellRemoval(before, *document().find(index(), serial), refitted.deviation);
+    }
+}
+
+void SheetEditor::tellRemoval(const Curve& before, const Curve& after, std::optional<double> deviation) {
+    const std::optional<int> degree = polynomialDegree(after);
+    if (deviation && *deviation <= kRoundingPart * diagonal(boxOf(pointsOf(before))))
+        Q_EMIT hint({QT_TRANSLATE_NOOP("Hint", "The shape stays as it is")});
+    else if (deviation)
+        Q_EMIT hint({QT_TRANSLATE_NOOP("Hint", "The shape changes by at most %1"), deviation});
+    else if (degree && degree != polynomialDegree(before))
+        Q_EMIT hint({QT_TRANSLATE_NOOP("Hint", "The degree falls to %1"), degree});
+}
+
+void SheetEditor::removeSelected(Removal removal) {
+    removePoints(activeSerial(), selectedPoints(), removal);
+}
+
+void SheetEditor::removeLastPoint() {
+    if (const Curve* curve = activeCurve(); curve && pointCount(*curve) > 0)
+        removePoints(activeSerial(), {static_cast<int>(pointCount(*curve)) - 1}, Removal::plain);
+}
+
+void SheetEditor::placePoint(int index, Point at) {
+    const Curve* curve = activeCurve();
+    if (!curve)
+        return;
+    const GripId id{GripKind::point, index};
+    change(withGripsCarried(*curve, std::span(&id, 1), pointAt(*curve, index), at), moveLabel(id));
+}
+
+void SheetEditor::nudge(Vector by) {
+    const Curve* curve = activeCurve();
+    const std::vector<GripId> ids = selectedGrips(activeSerial());
+    if (curve && !ids.empty())
+        changeInBurst(withGripsMoved(*curve, ids, by), {QT_TRANSLATE_NOOP("Step", "Nudge")});
+}
+
+void SheetEditor::change(Curve value, const StepLabel& label) {
+    document().change(index(), activeSerial(), std::move(value), label);
+}
+
+void SheetEditor::changeInBurst(Curve value, const StepLabel& label) {
+    document().changeInBurst(index(), activeSerial(), std::move(value), label);
+}
+
+void SheetEditor::divide(Curve first, Curve second, const StepLabel& label) {
+    document().divide(index(), activeSerial(), std::move(first), std::move(second), label);
+}
+
+void SheetEditor::reverse() {
+    const Curve* curve = activeCurve();
+    if (!curve)
+        return;
+    Edited<Curve> edited = reversed(*curve);
+    const Selection selected = selection();
+    change(std::move(edited.curve), {QT_TRANSLATE_NOOP("Step", "Reverse the curve")});
+    selectMapped(selected, activeSerial(), edited.map);
+}
+
+void SheetEditor::retractHandle(const GripRef& handle) {
+    const Curve* curve = document().find(index(), handle.serial);
+    std::optional<Curve> retracted = curve ? withHandleRetracted(*curve, handle.id) : std::nullopt;
+    if (retracted)
+        document().change(index(), handle.serial, std::move(*retracted), retractLabel(handle.id));
+}
+
+bool SheetEditor::closeAt(const GripRef& point) {
+    const bool isPoint = point.serial == activeSerial() && point.id.kind == GripKind::point;
+    std::optional<Curve> closed = isPoint ? closedAt(*activeCurve(), point.id.index) : std::nullopt;
+    if (!closed)
+        return false;
+    change(std::move(*closed), {QT_TRANSLATE_NOOP("Step", "Close the curve")});
+    return true;
+}
+
+bool SheetEditor::newCurve() {
+    return addCurve(emptyCurve(index()), {QT_TRANSLATE_NOOP("Step", "New curve")});
+}
+
+void SheetEditor::beginCurve() {
+    if (newCurve())
+        Q_EMIT drawingBegun();
+}
+
+void SheetEditor::beginAnew() {
+    clear();
+    Q_EMIT drawingBegun();
+}
+
+bool SheetEditor::addCurve(Curve curve, const StepLabel& label) {
+    const int last = static_cast<int>(sheet().curves.size());
+    return document().add(index(), last, std::move(curve), label).has_value();
+}
+
+bool SheetEditor::addCurves(std::vector<Curve> curves, const StepLabel& label) {
+    return document().addAll(index(), std::move(curves), label);
+}
+
+void SheetEditor::duplicateCurve(Serial serial) {
+    if (const Curve* curve = document().find(index(), serial))
+        document().add(index(), *document().indexOf(index(), serial) + 1, *curve,
+                       {QT_TRANSLATE_NOOP("Step", "Duplicate the curve")});
+}
+
+void SheetEditor::deleteCurve(Serial serial) {
+    deleteCurve(serial, {QT_TRANSLATE_NOOP("Step", "Delete the curve")});
+}
+
+void SheetEditor::deleteCurve(Serial serial, const StepLabel& label) {
+    document().remove(index(), serial, label);
+}
+
+void SheetEditor::renameCurve(Serial serial, const QString& name) {
+    if (const Curve* curve = document().find(index(), serial))
+        document().change(index(), serial, renamed(*curve, wellFormed(name).toStdString()),
+                          {QT_TRANSLATE_NOOP("Step", "Rename the curve")});
+}
+
+void SheetEditor::styleCurve(Serial serial, const CurveStyle& style, const StepLabel& label) {
+    if (const Curve* curve = document().find(index(), serial))
+        document().changeInBurst(index(), serial, withStyle(*curve, style), label);
+}
+
+void SheetEditor::moveCurve(Serial serial, int to) {
+    if (to >= 0 && to < static_cast<int>(sheet().curves.size()))
+        document().reorder(index(), serial, to, {QT_TRANSLATE_NOOP("Step", "Reorder the curves")});
+}
+
+void SheetEditor::activateNextCurve() {
+    const std::vector<Serial>& serials = document().serials(index());
+    if (!serials.empty())
+        document().setActiveCurve(index(),
+                                  serials[static_cast<std::size_t>(sheet().view.activeCurve + 1) % serials.size()]);
+}
+
+void SheetEditor::usePointsIn(SheetIndex other) {
+    const Curve* curve = activeCurve();
+    if (!curve || other == index())
+        return;
+    const int last = static_cast<int>(document().sheet(other).curves.size());
+    if (document().add(other, last, converted(*curve, other), {QT_TRANSLATE_NOOP("Step", "Use the points of a tab")}))
+        document().setActiveSheet(other);
+}
+
+void SheetEditor::setActiveCurveShown(bool isShown) {
+    document().setCurveShown(index(), activeSerial(), isShown);
+}
+
+void SheetEditor::clear() {
+    document().endGesture();
+    if (sheet().curves.empty())
+        return;
+    QUndoStack& history = document().history(index());
+    history.beginMacro(stored({QT_TRANSLATE_NOOP("Step", "Clear the canvas")}));
+    for (const Serial serial : std::vector<Serial>(document().serials(index())))
+        deleteCurve(serial);
+    history.endMacro();
+}
+
+} // namespace kriva::ui

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "ui/canvas/canvas_client.h"
+#include "ui/editing/hints/hint.h"
+#include "ui/editing/sheet/shown_sheet.h"
+
+namespace kriva::ui {
+
+/// Edits a sheet of the open document. A tab's canvas and panels all work on this one object.
+class SheetEditor : public ShownSheet {
+    Q_OBJECT
+  public:
+    using ShownSheet::ShownSheet;
+
+    // Points.
+    /// At the end of the active curve; false where it is refused.
+    bool addPoint(Point at);
+    /// At the end of the active curve, as a gesture that goes on, with the point selected; false where it is refused.
+    bool beginAdding(Point at);
+    /// The points of a curve of this sheet behind those of the active one, in one step; they are selected.
+    void append(const Curve& points, const StepLabel& label);
+    /// One point more near a place of the curve, which keeps its shape; the new point nearest to it is selected.
+    void insertPoint(Serial serial, Point near);
+    /// The same as a gesture that goes on; gives the new point, nothing where it is refused.
+    std::optional<int> beginInserting(Serial serial, Point near);
+    /// One point more in the middle behind the selected one of the active curve, else where there is most room, so that
+    /// pressing Insert again and again walks along the curve.
+    void insertPointBehindSelected();
+    /// Without a label the step says which point goes.
+    void removePoints(Serial serial, const std::vector<int>& indices, Removal removal,
+                      const std::optional<StepLabel>& label = {});
+    void removeSelected(Removal removal);
+    void removeLastPoint();
+    /// A point of the active curve, placed by typing.
+    void placePoint(int index, Point at);
+    void nudge(Vector by);
+
+    // The active curve. `label` is marked with QT_TRANSLATE_NOOP("Step", ...).
+    void change(Curve value, const StepLabel& label);
+    /// As change, but steps of the same kind that follow each other closely become one.
+    void changeInBurst(Curve value, const StepLabel& label);
+    /// Two curves in place of the active one.
+    void divide(Curve first, Curve second, const StepLabel& label);
+    void reverse();
+    void retractHandle(const GripRef& handle);
+    /// Closes an open chain at its first point; false for any other point.
+    bool closeAt(const GripRef& point);
+
+    // Curves.
+    /// False where it is refused.
+    bool newCurve();
+    /// The same, and what a person draws next is drawn there.
+    void beginCurve();
+    /// Above the others; false where it is refused.
+    bool addCurve(Curve curve, const StepLabel& label);
+    /// In one step; false where they are refused.
+    bool addCurves(std::vector<Curve> curves, const StepLabel& label);
+    void duplicateCurve(Serial serial);
+    void deleteCurve(Serial serial);
+    void deleteCurve(Serial serial, const StepLabel& label);
+    void renameCurve(Serial serial, const QString& name);
+    /// Steps of the same kind that follow each other closely become one.
+    void styleCurve(Serial serial, const CurveStyle& style, const StepLabel& label);
+    void moveCurve(Serial serial, int to);
+    void activateNextCurve();
+    /// The active curve's points as a new curve of another sheet, a step of that sheet, which is then shown.
+    void usePointsIn(SheetIndex other);
+    void setActiveCurveShown(bool isShown);
+    /// Deletes all curves in one step.
+    void clear();
+    /// The same, to draw anew.
+    void beginAnew();
+
+  Q_SIGNALS:
+    /// Something worth telling in the status row happened.
+    void hint(const kriva::ui::Hint& hint);
+    /// Room was made for a curve that is drawn next.
+    void drawingBegun();
+
+  private:
+    std::optional<int> beginInserting(Serial serial, std::optional<Edited<Curve>> edited, Point near);
+    void tellRemoval(const Curve& before, const Curve& after, std::optional<double> deviation);
+};
+
+} // namespace kriva::ui
