@@ -32,6 +32,12 @@ SheetPanels::SheetPanels(QMainWindow& tab, SheetEditor& editor, const SheetRelat
     , relations_(relations)
     , ui_(ui) {}
 
+SheetPanels::~SheetPanels() {
+    // They look at the editor to their end: a cell of a panel that floats loses the focus then.
+    for (const Panel& panel : panels_)
+        delete panel.dock;
+}
+
 void SheetPanels::make() {
     if (!panels_.empty())
         return;

@@ -19,6 +19,9 @@ class SheetPanels {
   public:
     /// All of them outlive this.
     SheetPanels(QMainWindow& tab, SheetEditor& editor, const SheetRelations& relations, const SheetUi& ui);
+    ~SheetPanels();
+    SheetPanels(const SheetPanels&) = delete;
+    SheetPanels& operator=(const SheetPanels&) = delete;
 
     /// Where that has not been done.
     void make();
