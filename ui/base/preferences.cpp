@@ -69,16 +69,6 @@ void Preferences::addRecentFile(const QString& path) {
     settings_.setValue(kRecentFiles, files.first(std::min(files.size(), kMostRecentFiles)));
 }
 
-void Preferences::removeRecentFile(const QString& path) {
-    QStringList files = recentFiles();
-    files.removeAll(path);
-    settings_.setValue(kRecentFiles, files);
-}
-
-void Preferences::clearRecentFiles() {
-    settings_.remove(kRecentFiles);
-}
-
 bool Preferences::isSnapping() const {
     return settings_.value(kSnap).toString() == kOn;
 }

@@ -27,8 +27,6 @@ class Preferences {
     /// Absolute paths, the last one used first, at most ten, no path twice.
     [[nodiscard]] QStringList recentFiles() const;
     void addRecentFile(const QString& path);
-    void removeRecentFile(const QString& path);
-    void clearRecentFiles();
 
     /// Whether points snap, and whether canvases have rulers; at first neither.
     [[nodiscard]] bool isSnapping() const;

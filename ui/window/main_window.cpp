@@ -98,6 +98,7 @@ void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
                 status_->showZoom(percent);
         });
         connect(&tab->canvas(), &CanvasView::toolChanged, this, &MainWindow::followTab);
+        connect(&tab->canvas(), &CanvasView::gridShownChanged, actions_->grid, &QAction::setChecked);
         connect(&tab->canvas(), &CanvasView::contextMenuRequested, this,
                 [this, tab](QPoint at, const Hit& under) { openContextMenu(*tab, *actions_, at, under); });
         connect(&tab->editor(), &SheetEditor::selectionChanged, this, &MainWindow::followSelection);

@@ -83,11 +83,6 @@ Tangent tangentOf(const DoubleDouble& slope, int direction) {
     return slope.high > 0 ? Tangent{small, large} : Tangent{-small, -large};
 }
 
-std::optional<Point> quadraticMiddle(const CurveEnd& from, const CurveEnd& to) {
-    const std::optional<WideVector> step = stepToMiddle(from, to);
-    return step ? std::optional(pointAhead(from, *step)) : std::nullopt;
-}
-
 TangentPiece joinOf(const CurveEnd& from, const CurveEnd& to) {
     const WideVector way = difference(from, to);
     const WideVector start = directionAt(from, way);

@@ -30,12 +30,10 @@ struct TangentPiece {
     Points shape; ///< congruent to the points, but not rounded to the distance from the origin
 };
 
-/// The point where the two tangents meet, the middle point of the quadratic that joins the ends; nothing where they
-/// are parallel, or it lies behind an end or too far away (format.md, combined). The ends are different places.
+/// What joins two neighbouring runs: the quadratic whose middle point is where the two tangents meet, else, where they
+/// are parallel or meet behind an end or too far away (format.md, combined), a cubic. A single point has the direction
+/// from end to end. The ends are different places.
 /// Source: Rossinsky, Kravchenko, Combined algorithm for constructing curves of arbitrary form (2014), (12) and (13).
-[[nodiscard]] std::optional<Point> quadraticMiddle(const CurveEnd& from, const CurveEnd& to);
-
-/// What joins two neighbouring runs: the quadratic, else a cubic. A single point has the direction from end to end.
 [[nodiscard]] TangentPiece joinOf(const CurveEnd& from, const CurveEnd& to);
 
 /// What joins two neighbouring points of a run: the quadratic, else two that meet halfway between their middle points.

@@ -51,6 +51,16 @@ TEST_P(WindowTest, aDragOfFiftyMovesIsOneStepAndOneSignalPerMove) {
     EXPECT_EQ(curve(), startDocument().sheets[GetParam()].curves[0]);
 }
 
+TEST_P(WindowTest, theGridsButtonFollowsItsKey) {
+    const QAction& grid = *window.window.findChild<QAction*>(QStringLiteral("grid"));
+    ASSERT_TRUE(grid.isChecked());
+    QTest::keyClick(&canvas(), Qt::Key_G);
+    EXPECT_FALSE(canvas().isGridShown());
+    EXPECT_FALSE(grid.isChecked());
+    QTest::keyClick(&canvas(), Qt::Key_G);
+    EXPECT_TRUE(grid.isChecked());
+}
+
 TEST_P(WindowTest, outAndBackIsNoStep) {
     const QPoint start = pixelOf(tab, 1);
     press(start);

@@ -68,10 +68,6 @@ TEST_F(PreferencesTest, theLastFileUsedComesFirstAndTenAreKept) {
     EXPECT_EQ(files[0], u"/files/5.kriva"_s);
     EXPECT_EQ(files[1], u"/files/11.kriva"_s);
     EXPECT_EQ(files.count(u"/files/5.kriva"_s), 1);
-    preferences.removeRecentFile(u"/files/5.kriva"_s);
-    EXPECT_EQ(Preferences().recentFiles().first(), u"/files/11.kriva"_s);
-    preferences.clearRecentFiles();
-    EXPECT_TRUE(Preferences().recentFiles().isEmpty());
 }
 
 TEST_F(PreferencesTest, aRelativePathIsRememberedByItsFullName) {

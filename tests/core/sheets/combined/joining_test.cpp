@@ -4,12 +4,19 @@
 #include <rapidcheck/gtest.h>
 
 #include <limits>
+#include <optional>
 
 namespace kriva {
 namespace {
 
 CurveEnd end(Point at, double slope, int direction) {
     return {at.x, at.y, tangentOf(slope, direction)};
+}
+
+/// Of the quadratic that joins two ends, if it is one.
+std::optional<Point> quadraticMiddle(const CurveEnd& from, const CurveEnd& to) {
+    const TangentPiece join = joinOf(from, to);
+    return join.points.size() == 3 ? std::optional(join.points[1]) : std::nullopt;
 }
 
 RC_GTEST_PROP(QuadraticMiddle, isTheClassicPointWhereTheTangentsMeet, ()) {
