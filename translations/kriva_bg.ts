@@ -756,7 +756,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     prints the numbers of a document
 
     --language CODE   en, bg, sl or uk; else the language of the system
-    --sheet NAME      elevation, subdivision, spline or combined
+    --sheet NAME      %1
     --help            this text
     --version         the version
 
@@ -782,7 +782,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     отпечатва числата на документ
 
     --language CODE   en, bg, sl или uk; иначе езикът на системата
-    --sheet NAME      elevation, subdivision, spline или combined
+    --sheet NAME      %1
     --help            този текст
     --version         версията
 

@@ -756,7 +756,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     prints the numbers of a document
 
     --language CODE   en, bg, sl or uk; else the language of the system
-    --sheet NAME      elevation, subdivision, spline or combined
+    --sheet NAME      %1
     --help            this text
     --version         the version
 
@@ -782,7 +782,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     izpiše števila dokumenta
 
     --language CODE   en, bg, sl ali uk; sicer jezik sistema
-    --sheet NAME      elevation, subdivision, spline ali combined
+    --sheet NAME      %1
     --help            to besedilo
     --version         različica
 

@@ -756,7 +756,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     prints the numbers of a document
 
     --language CODE   en, bg, sl or uk; else the language of the system
-    --sheet NAME      elevation, subdivision, spline or combined
+    --sheet NAME      %1
     --help            this text
     --version         the version
 
@@ -782,7 +782,7 @@ kriva report FILE [--format json|text] [--sheet NAME]
     друкує числа документа
 
     --language CODE   en, bg, sl або uk; інакше мова системи
-    --sheet NAME      elevation, subdivision, spline або combined
+    --sheet NAME      %1
     --help            цей текст
     --version         версія
 

@@ -57,6 +57,14 @@ std::optional<SheetIndex> sheetOf(const Words& words) {
     return sheetNamed(words.options.value(u"sheet"_s).toStdString());
 }
 
+/// "elevation, subdivision, spline, combined"
+QString sheetNames() {
+    QStringList names;
+    for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet)
+        names += QLatin1StringView(sheetName(sheet).data(), static_cast<qsizetype>(sheetName(sheet).size()));
+    return names.join(u", "_s);
+}
+
 Words CommandLine::sorted(const QStringList& arguments) {
     Words words;
     for (qsizetype i = 0; i < arguments.size() && words.fault.isEmpty(); ++i) {
@@ -178,32 +186,34 @@ Request CommandLine::understood(Words words) {
 }
 
 QString CommandLine::help() {
-    return tr(
-        "kriva [FILE...]\n"
-        "    opens the editor\n"
-        "kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]\n"
-        "    draws a sheet: the one named, else the one that was shown when the document was saved.\n"
-        "    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output\n"
-        "    --format svg|pdf|png|tex|csv     where the end of OUT does not say it\n"
-        "    --width 120mm --margin 6mm       of the page; mm, cm, in or pt\n"
-        "    --scale 10                       millimetres for a unit, in place of a width\n"
-        "    --no-labels --theme light|dark\n"
-        "    --no-document --decimals N --inkscape-layers --outlines    of SVG; outlines in place of letters\n"
-        "    --dpi 300 --transparent          of PNG\n"
-        "    --fragment                       of TeX: to be put into another document\n"
-        "    --frames 0,5,10 | 0..10 | t=0.25,0.5   stages of the animation side by side, or with {frame} in OUT\n"
-        "                                     a file for each; --animate --seconds 0.5: one after the other in SVG\n"
-        "kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]\n"
-        "    makes a document of the paths of SVG files, of path data or of tables of points\n"
-        "kriva report FILE [--format json|text] [--sheet NAME]\n"
-        "    prints the numbers of a document\n"
-        "\n"
-        "    --language CODE   en, bg, sl or uk; else the language of the system\n"
-        "    --sheet NAME      elevation, subdivision, spline or combined\n"
-        "    --help            this text\n"
-        "    --version         the version\n"
-        "\n"
-        "Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.\n");
+    return tr("kriva [FILE...]\n"
+              "    opens the editor\n"
+              "kriva export FILE... -o OUT.{svg,pdf,png,tex,csv} [--sheet NAME] [--curve N] [--layers A,B]\n"
+              "    draws a sheet: the one named, else the one that was shown when the document was saved.\n"
+              "    {name} and {sheet} in OUT stand for those of each file; - is the standard input and output\n"
+              "    --format svg|pdf|png|tex|csv     where the end of OUT does not say it\n"
+              "    --width 120mm --margin 6mm       of the page; mm, cm, in or pt\n"
+              "    --scale 10                       millimetres for a unit, in place of a width\n"
+              "    --no-labels --theme light|dark\n"
+              "    --no-document --decimals N --inkscape-layers --outlines    of SVG; outlines in place of letters\n"
+              "    --dpi 300 --transparent          of PNG\n"
+              "    --fragment                       of TeX: to be put into another document\n"
+              "    --frames 0,5,10 | 0..10 | t=0.25,0.5   stages of the animation side by side, or with {frame} in "
+              "OUT\n"
+              "                                     a file for each; --animate --seconds 0.5: one after the other in "
+              "SVG\n"
+              "kriva import FILE... -o OUT.kriva --sheet NAME [--scale N] [--offset X,Y]\n"
+              "    makes a document of the paths of SVG files, of path data or of tables of points\n"
+              "kriva report FILE [--format json|text] [--sheet NAME]\n"
+              "    prints the numbers of a document\n"
+              "\n"
+              "    --language CODE   en, bg, sl or uk; else the language of the system\n"
+              "    --sheet NAME      %1\n"
+              "    --help            this text\n"
+              "    --version         the version\n"
+              "\n"
+              "Exit codes: 0 done, 1 failure, 2 wrong usage, 3 input refused, 4 output not written.\n")
+        .arg(sheetNames());
 }
 
 } // namespace
