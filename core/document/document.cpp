@@ -241,15 +241,24 @@ std::vector<Result> results(const Curve& curve) {
     return withoutLimit([&](WorkBudget& budget) { return results(curve, budget); });
 }
 
-std::optional<Relations> relationsOf(const Sheet& sheet, SheetIndex index, WorkBudget& budget) {
+std::optional<Relations> relationsOf(std::span<const Curve* const> curves, SheetIndex index, WorkBudget& budget) {
     return std::visit(
         [&]<class C>(const C&) -> std::optional<Relations> {
-            if constexpr (requires(std::span<const C* const> curves) { relationsOf(curves, budget); })
-                return relationsOf(std::span<const C* const>(curvesOf<C>(sheet)), budget);
-            else
+            if constexpr (requires(std::span<const C* const> ofKind) { relationsOf(ofKind, budget); }) {
+                std::vector<const C*> ofKind(curves.size());
+                std::ranges::transform(curves, ofKind.begin(), [](const Curve* curve) { return &std::get<C>(*curve); });
+                return relationsOf(std::span<const C* const>(ofKind), budget);
+            } else {
                 return Relations();
+            }
         },
         kinds()[index]);
+}
+
+std::optional<Relations> relationsOf(const Sheet& sheet, SheetIndex index, WorkBudget& budget) {
+    std::vector<const Curve*> curves(sheet.curves.size());
+    std::ranges::transform(sheet.curves, curves.begin(), [](const Curve& curve) { return &curve; });
+    return relationsOf(curves, index, budget);
 }
 
 Relations relationsOf(const Sheet& sheet, SheetIndex index) {

@@ -101,6 +101,8 @@ template <class C>
 
 /// What the curves of a sheet have with each other; without rows in sheets where nobody asks. May take seconds, and
 /// gives nothing where it was stopped. What is beyond the budget is an answer too: Relations::refusal.
+[[nodiscard]] std::optional<Relations> relationsOf(std::span<const Curve* const> curves, SheetIndex index,
+                                                   WorkBudget& budget);
 [[nodiscard]] std::optional<Relations> relationsOf(const Sheet& sheet, SheetIndex index, WorkBudget& budget);
 /// The same within limits::kSteps.
 [[nodiscard]] Relations relationsOf(const Sheet& sheet, SheetIndex index);

@@ -11,6 +11,13 @@ namespace {
 constexpr int kHistoryLimit = 500;
 constexpr int kBurstPause = 800; // ms without a further key or turn of the wheel that end a burst
 
+/// An initializer list would copy the curve.
+[[nodiscard]] std::vector<CurveExchange> only(CurveExchange one) {
+    std::vector<CurveExchange> list;
+    list.push_back(std::move(one));
+    return list;
+}
+
 } // namespace
 
 OpenDocument::OpenDocument(QObject* parent)
@@ -83,10 +90,10 @@ bool OpenDocument::divide(SheetIndex sheet, Serial serial, Curve first, Curve se
     divided.curves[static_cast<std::size_t>(*index)] = first;
     if (!isWithinLimits(divided, {}, second))
         return false;
-    push(sheet,
-         exchange(sheet, {{serial, PlacedCurve{std::move(first), *index}},
-                          {present_.newSerial(), PlacedCurve{std::move(second), *index + 1}}}),
-         label);
+    std::vector<CurveExchange> halves;
+    halves.push_back({serial, PlacedCurve{std::move(first), *index}});
+    halves.push_back({present_.newSerial(), PlacedCurve{std::move(second), *index + 1}});
+    push(sheet, exchange(sheet, std::move(halves)), label);
     setActiveCurve(sheet, serial);
     return true;
 }
@@ -115,14 +122,14 @@ bool OpenDocument::addAll(SheetIndex sheet, std::vector<Curve> curves, const Ste
 void OpenDocument::remove(SheetIndex sheet, Serial serial, const StepLabel& label) {
     endGesture();
     if (find(sheet, serial))
-        push(sheet, exchange(sheet, {{serial, std::nullopt}}), label);
+        push(sheet, exchange(sheet, only({serial, std::nullopt})), label);
 }
 
 void OpenDocument::reorder(SheetIndex sheet, Serial serial, int index, const StepLabel& label) {
     endGesture();
     const Curve* curve = find(sheet, serial);
     if (curve && *indexOf(sheet, serial) != index)
-        push(sheet, exchange(sheet, {{serial, PlacedCurve{*curve, index}}}), label);
+        push(sheet, exchange(sheet, only({serial, PlacedCurve{*curve, index}})), label);
 }
 
 void OpenDocument::beginGesture(SheetIndex sheet, Serial serial, const StepLabel& label) {
@@ -164,9 +171,9 @@ void OpenDocument::endGesture() {
     Gesture gesture = *std::exchange(gesture_, std::nullopt);
     const int index = *indexOf(gesture.sheet, gesture.serial);
     if (gesture.isNew)
-        push(gesture.sheet, {{gesture.serial, std::nullopt}}, gesture.label);
+        push(gesture.sheet, only({gesture.serial, std::nullopt}), gesture.label);
     else if (gesture.start && *find(gesture.sheet, gesture.serial) != *gesture.start)
-        push(gesture.sheet, {{gesture.serial, PlacedCurve{std::move(*gesture.start), index}}}, gesture.label);
+        push(gesture.sheet, only({gesture.serial, PlacedCurve{std::move(*gesture.start), index}}), gesture.label);
 }
 
 void OpenDocument::cancelGesture() {
@@ -215,7 +222,7 @@ std::optional<PlacedCurve> OpenDocument::exchange(SheetIndex sheet, Serial seria
 
 std::vector<CurveExchange> OpenDocument::exchange(SheetIndex sheet, std::vector<CurveExchange> others) {
     if (others.size() == 1)
-        return {{others[0].serial, exchange(sheet, others[0].serial, std::move(others[0].other))}};
+        return only({others[0].serial, exchange(sheet, others[0].serial, std::move(others[0].other))});
     std::vector<Serial> changed;
     for (CurveExchange& one : others) {
         const bool stays = one.other && indexOf(sheet, one.serial) == one.other->index;

@@ -31,6 +31,10 @@ class OpenDocument : public QObject {
     }
     /// Null where the curve is not there.
     [[nodiscard]] const Curve* find(SheetIndex sheet, Serial serial) const { return present_.find(sheet, serial); }
+    /// A copy of the curve, which must be there, for other threads; one for all who ask before the curve changes.
+    [[nodiscard]] std::shared_ptr<const Curve> snapshot(SheetIndex sheet, Serial serial) const {
+        return present_.snapshot(sheet, serial);
+    }
     /// The curve that edits without a curve of their own go to; 0 in an empty sheet.
     [[nodiscard]] Serial activeCurve(SheetIndex sheet) const { return present_.activeCurve(sheet); }
 

@@ -24,6 +24,14 @@ const Curve* SerialDocument::find(SheetIndex sheet, Serial serial) const {
     return index ? &value_.sheets[sheet].curves[static_cast<std::size_t>(*index)] : nullptr;
 }
 
+std::shared_ptr<const Curve> SerialDocument::snapshot(SheetIndex sheet, Serial serial) const {
+    std::weak_ptr<const Curve>& known = snapshots_[serial];
+    std::shared_ptr<const Curve> snapshot = known.lock();
+    if (!snapshot)
+        known = snapshot = std::make_shared<const Curve>(*find(sheet, serial));
+    return snapshot;
+}
+
 Serial SerialDocument::activeCurve(SheetIndex sheet) const {
     const auto& serials = serials_[sheet];
     return serials.empty() ? 0 : serials[static_cast<std::size_t>(value_.sheets[sheet].view.activeCurve)];
@@ -31,6 +39,7 @@ Serial SerialDocument::activeCurve(SheetIndex sheet) const {
 
 void SerialDocument::replace(Document document) {
     value_ = std::move(document);
+    snapshots_.clear();
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
         serials_[sheet].clear();
         for (std::size_t i = 0; i < value_.sheets[sheet].curves.size(); ++i)
@@ -39,11 +48,13 @@ void SerialDocument::replace(Document document) {
 }
 
 Curve SerialDocument::put(SheetIndex sheet, Serial serial, Curve curve) {
+    snapshots_.erase(serial);
     Curve& place = value_.sheets[sheet].curves[static_cast<std::size_t>(*indexOf(sheet, serial))];
     return std::exchange(place, std::move(curve));
 }
 
 std::optional<PlacedCurve> SerialDocument::exchange(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other) {
+    snapshots_.erase(serial);
     const Serial active = activeCurve(sheet);
     std::optional<PlacedCurve> before;
     if (const std::optional<int> index = indexOf(sheet, serial))

@@ -3,6 +3,9 @@
 #include "core/document/document.h"
 #include "ui/document/serial.h"
 
+#include <memory>
+#include <unordered_map>
+
 namespace kriva::ui {
 
 /// A curve at its place among the curves of its sheet.
@@ -28,6 +31,9 @@ class SerialDocument {
     [[nodiscard]] std::optional<int> indexOf(SheetIndex sheet, Serial serial) const;
     /// Null where the curve is not there.
     [[nodiscard]] const Curve* find(SheetIndex sheet, Serial serial) const;
+    /// A copy of the curve, which must be there, for other threads; one for all who ask before the curve changes and
+    /// keep it.
+    [[nodiscard]] std::shared_ptr<const Curve> snapshot(SheetIndex sheet, Serial serial) const;
     /// 0 in an empty sheet.
     [[nodiscard]] Serial activeCurve(SheetIndex sheet) const;
 
@@ -48,6 +54,7 @@ class SerialDocument {
 
     Document value_;
     std::array<std::vector<Serial>, kSheetCount> serials_;
+    mutable std::unordered_map<Serial, std::weak_ptr<const Curve>> snapshots_; ///< of curves as they are
     Serial lastSerial_ = 0;
 };
 

@@ -140,7 +140,7 @@ void CanvasContent::drawNext() {
     while (count < due_.size() && steps < kStepsOfBatch) {
         const Serial serial = due_[count++];
         steps += stepsToDraw(serial);
-        batch.push_back({undrawn(serial), *sheet_.shown(serial), contextOf(serial)});
+        batch.push_back({undrawn(serial), sheet_.snapshot(serial), contextOf(serial)});
     }
     due_.erase(due_.begin(), due_.begin() + static_cast<std::ptrdiff_t>(count));
     worker_.start(std::move(batch), sheet_.sheet().view);

@@ -18,7 +18,7 @@ constexpr int kPriority = 1;
     std::vector<CanvasCurve> drawn;
     for (CurveToDraw& next : curves) {
         next.context.view = &view;
-        if (!draw(next.shown, next.curve, next.context, budget))
+        if (!draw(next.shown, *next.curve, next.context, budget))
             return {};
         next.shown.box = boxOf(next.shown.figure);
         drawn.push_back(std::move(next.shown));

@@ -6,6 +6,7 @@
 #include <QObject>
 
 #include <functional>
+#include <memory>
 
 class QThreadPool;
 
@@ -14,7 +15,7 @@ namespace kriva::ui {
 /// A curve as it is to be drawn, apart from the document: any thread may do it.
 struct CurveToDraw {
     CanvasCurve shown; ///< all but what drawing gives
-    Curve curve;
+    std::shared_ptr<const Curve> curve;
     FigureContext context; ///< without the view
 };
 

@@ -10,6 +10,8 @@ namespace {
 
 enum Column { nameColumn, valueColumn, columns };
 
+/// Of so many rows it takes longer to find which have changed than to show all anew.
+constexpr int kManyRows = 10'000;
 constexpr int kShownDigits = 10;
 constexpr int kFullDigits = 17;
 
@@ -36,6 +38,10 @@ bool ResultsModel::setResults(const Rows& ofCurve, std::vector<Result> ofSheet) 
 
 bool ResultsModel::exchange(Lists lists) {
     const Lists before = std::exchange(results_, std::move(lists));
+    if (rowCount() > kManyRows) {
+        tellChanged(0, rowCount() - 1);
+        return true;
+    }
     bool areNamesNew = false;
     int first = rowCount();
     int last = -1;

@@ -52,8 +52,8 @@ bool DocumentShadow::catchUp(std::chrono::nanoseconds most) {
     while (!changed_.empty()) {
         const auto [sheet, serial] = changed_.front();
         changed_.pop_front();
-        if (const Curve* curve = document_.find(sheet, serial))
-            copies_[sheet][serial] = std::make_shared<const Curve>(*curve);
+        if (document_.find(sheet, serial))
+            copies_[sheet][serial] = document_.snapshot(sheet, serial);
         if (std::chrono::steady_clock::now() - start >= most)
             break;
     }

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kManyRows = 10'000;
 
 /// None without a curve; that it is incomplete is one as well.
-std::optional<std::vector<Result>> resultsOf(const std::optional<Curve>& curve, WorkBudget& budget) {
+std::optional<std::vector<Result>> resultsOf(const Curve* curve, WorkBudget& budget) {
     if (!curve)
         return std::vector<Result>();
     if (isIncomplete(*curve))
@@ -25,7 +25,7 @@ std::optional<std::vector<Result>> resultsOf(const std::optional<Curve>& curve, 
 
 CurveResults::CurveResults(ShownSheet& sheet, QObject* parent)
     : QObject(parent)
-    , work_(sheet, [this, &sheet](const std::optional<Curve>& curve, WorkBudget& budget) -> CoalescingWorker::Take {
+    , work_(sheet, [this, &sheet](const Curve* curve, WorkBudget& budget) -> CoalescingWorker::Take {
         auto found = resultsOf(curve, budget).value_or(std::vector<Result>());
         return [this, &sheet, results = std::make_shared<const std::vector<Result>>(std::move(found))] {
             auto before = std::exchange(results_, results);

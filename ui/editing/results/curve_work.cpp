@@ -3,19 +3,13 @@
 #include "ui/editing/sheet/shown_sheet.h"
 
 namespace kriva::ui {
-namespace {
-
-std::optional<Curve> activeOnView(const ShownSheet& sheet) {
-    const Curve* curve = sheet.shown(sheet.activeSerial());
-    return curve ? std::optional(*curve) : std::nullopt;
-}
-
-} // namespace
 
 CurveWork::CurveWork(ShownSheet& sheet, Work work, QObject* parent)
     : QObject(parent)
     , work_(sheet.workers(), [&sheet, work = std::move(work)]() -> CoalescingWorker::Work {
-        return [work, curve = activeOnView(sheet)](WorkBudget& budget) { return work(curve, budget); };
+        return [work, curve = sheet.snapshot(sheet.activeSerial())](WorkBudget& budget) {
+            return work(curve.get(), budget);
+        };
     }) {
     const auto startOver = [this] {
         if (isWatched_)

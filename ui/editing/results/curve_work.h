@@ -12,8 +12,8 @@ class ShownSheet;
 class CurveWork : public QObject {
     Q_OBJECT
   public:
-    /// Gives what takes the outcome, on the thread of the window; called on any thread. Nothing without a curve.
-    using Work = std::function<CoalescingWorker::Take(const std::optional<Curve>&, WorkBudget&)>;
+    /// Gives what takes the outcome, on the thread of the window; called on any thread. Null without a curve.
+    using Work = std::function<CoalescingWorker::Take(const Curve*, WorkBudget&)>;
 
     CurveWork(ShownSheet& sheet, Work work, QObject* parent = nullptr);
 

@@ -3,18 +3,31 @@
 #include "core/curve/limits.h"
 #include "ui/editing/sheet/shown_sheet.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace kriva::ui {
+namespace {
+
+std::vector<std::shared_ptr<const Curve>> curvesOnView(const ShownSheet& sheet) {
+    std::vector<std::shared_ptr<const Curve>> curves;
+    for (const Serial serial : sheet.document().serials(sheet.index()))
+        curves.push_back(sheet.snapshot(serial));
+    return curves;
+}
+
+} // namespace
 
 SheetRelations::SheetRelations(ShownSheet& sheet, QObject* parent)
     : QObject(parent)
     , work_(
           sheet.workers(),
           [this, &sheet]() -> CoalescingWorker::Work {
-              return [this, onView = sheet.sheetOnView(),
+              return [this, curves = curvesOnView(sheet),
                       index = sheet.index()](WorkBudget& budget) -> CoalescingWorker::Take {
-                  auto found = relationsOf(onView, index, budget).value_or(Relations());
+                  std::vector<const Curve*> pointers(curves.size());
+                  std::ranges::transform(curves, pointers.begin(), &std::shared_ptr<const Curve>::get);
+                  auto found = relationsOf(pointers, index, budget).value_or(Relations());
                   return [this, relations = std::make_shared<Relations>(std::move(found))] {
                       take(std::move(*relations)); // once
                   };

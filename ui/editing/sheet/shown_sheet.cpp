@@ -34,7 +34,13 @@ ShownSheet::ShownSheet(OpenDocument& document, QThreadPool& workers, SheetIndex 
 }
 
 const Curve* ShownSheet::shown(Serial serial) const {
-    return stage_ && serial == activeSerial() ? &*stage_ : document_.find(index_, serial);
+    return stage_ && serial == activeSerial() ? stage_.get() : document_.find(index_, serial);
+}
+
+std::shared_ptr<const Curve> ShownSheet::snapshot(Serial serial) const {
+    if (stage_ && serial == activeSerial())
+        return stage_;
+    return document_.find(index_, serial) ? document_.snapshot(index_, serial) : nullptr;
 }
 
 Sheet ShownSheet::sheetOnView() const {
@@ -52,9 +58,9 @@ Document ShownSheet::documentOnView() const {
 }
 
 void ShownSheet::setStage(std::optional<Curve> stage) {
-    if (stage == stage_)
+    if (stage ? stage_ && *stage == *stage_ : !stage_)
         return;
-    stage_ = std::move(stage);
+    stage_ = stage ? std::make_shared<const Curve>(std::move(*stage)) : nullptr;
     stagedSerial_ = activeSerial();
     Q_EMIT shownCurveChanged(activeSerial());
 }

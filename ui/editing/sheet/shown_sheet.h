@@ -25,6 +25,8 @@ class ShownSheet : public QObject {
 
     /// The curve as it is on view: a player's stage, else the document's value.
     [[nodiscard]] const Curve* shown(Serial serial) const;
+    /// A copy of it for other threads, one for all who ask before it changes; null where there is no such curve.
+    [[nodiscard]] std::shared_ptr<const Curve> snapshot(Serial serial) const;
     /// Shows another value in place of the active curve's without changing the document; nothing shows the document's.
     void setStage(std::optional<Curve> stage);
     /// Hides the layers of the active curve that its sheet's algorithm brings only after that stage; nothing shows all.
@@ -35,7 +37,7 @@ class ShownSheet : public QObject {
     [[nodiscard]] Sheet sheetOnView() const;
     /// The whole document with the stage in place of the active curve: what an export draws.
     [[nodiscard]] Document documentOnView() const;
-    [[nodiscard]] bool hasStage() const { return stage_.has_value(); }
+    [[nodiscard]] bool hasStage() const { return stage_ != nullptr; }
 
     /// Places that a panel points out on the canvas, which scrolls to the first of them.
     void pointOut(Points places);
@@ -73,7 +75,7 @@ class ShownSheet : public QObject {
     SheetIndex index_;
     Selection selection_;
     Points pointedOut_;
-    std::optional<Curve> stage_;
+    std::shared_ptr<const Curve> stage_; ///< null while the document's value is shown
     std::optional<int> layerStage_;
     Serial stagedSerial_ = 0; ///< in whose place the stage stands, or whose layers it hides
 };

@@ -50,13 +50,11 @@ PlotsPanel::PlotsPanel(ShownSheet& sheet, Plots plots, QWidget* parent)
     , choice_(new KeptChoice(this))
     , export_(new QToolButton(this))
     , layout_(new QVBoxLayout(this))
-    , work_(sheet,
-            [this, plots = std::move(plots)](const std::optional<Curve>& curve,
-                                             WorkBudget& budget) -> CoalescingWorker::Take {
-                return [this, made = curve ? plots(*curve, budget) : std::nullopt] {
-                    take(made.value_or(std::vector<PlotGroup>()));
-                };
-            }) {
+    , work_(sheet, [this, plots = std::move(plots)](const Curve* curve, WorkBudget& budget) -> CoalescingWorker::Take {
+        return [this, made = curve ? plots(*curve, budget) : std::nullopt] {
+            take(made.value_or(std::vector<PlotGroup>()));
+        };
+    }) {
     work_.setWatched(false);
     export_->setIcon(icon(IconName::Export));
     export_->setAutoRaise(true);

@@ -24,8 +24,7 @@ TablesPanel::TablesPanel(ShownSheet& sheet, Tables tables, QWidget* parent)
     , csv_(new QToolButton(this))
     , pointedOut_(sheet)
     , work_(sheet,
-            [this, tables = std::move(tables)](const std::optional<Curve>& curve,
-                                               WorkBudget& budget) -> CoalescingWorker::Take {
+            [this, tables = std::move(tables)](const Curve* curve, WorkBudget& budget) -> CoalescingWorker::Take {
                 return [this, made = curve ? tables(*curve, budget) : std::nullopt] {
                     take(made.value_or(std::vector<Table>()));
                 };
