@@ -33,7 +33,7 @@ class LateDrawingTest : public testing::Test {
     }
     [[nodiscard]] ui::Serial serial(std::size_t curve) { return shell.window.document().serials(kCombined)[curve]; }
     [[nodiscard]] ui::HitTarget shownOf(ui::Serial serial) {
-        for (const ui::HitTarget& target : canvas->curves().targets())
+        for (const ui::HitTarget& target : canvas->scene().curves().targets())
             if (target.serial == serial)
                 return target;
         return {};

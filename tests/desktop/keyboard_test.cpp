@@ -138,9 +138,9 @@ TEST_F(KeyboardTest, singleKeysGoByTheirPlace) {
     EXPECT_TRUE(comesTrue([&] { return canvas.tool() == Tool::add; }));
     press({codeOf('V')});
     EXPECT_TRUE(comesTrue([&] { return canvas.tool() == Tool::edit; }));
-    const bool hadGrid = canvas.isGridShown();
+    const bool hadGrid = canvas.scene().isGridShown();
     press({codeOf('G')});
-    EXPECT_TRUE(comesTrue([&] { return canvas.isGridShown() != hadGrid; }));
+    EXPECT_TRUE(comesTrue([&] { return canvas.scene().isGridShown() != hadGrid; }));
 }
 
 TEST_F(KeyboardTest, pointsAreChosenMovedJoinedAndRemoved) {

@@ -70,7 +70,7 @@ class PointInterface : public ItemInterface, public QAccessibleActionInterface {
     [[nodiscard]] QStringList keyBindingsForAction(const QString&) const override { return {}; }
 
   private:
-    [[nodiscard]] std::optional<Point> place() const { return view()->curves().placeOf(grip_); }
+    [[nodiscard]] std::optional<Point> place() const { return view()->scene().curves().placeOf(grip_); }
 
     GripRef grip_;
 };
@@ -100,7 +100,7 @@ class CurveInterface : public ItemInterface {
 
   private:
     [[nodiscard]] std::optional<Named> curve() const {
-        for (const Named& named : view()->curves().named())
+        for (const Named& named : view()->scene().curves().named())
             if (named.serial == serial_)
                 return named;
         return std::nullopt;
@@ -120,27 +120,27 @@ class CanvasInterface : public QAccessibleWidget {
             QAccessible::deleteAccessibleInterface(id);
     }
 
-    [[nodiscard]] int childCount() const override { return static_cast<int>(view_.curves().named().size()); }
+    [[nodiscard]] int childCount() const override { return static_cast<int>(view_.scene().curves().named().size()); }
     [[nodiscard]] QAccessibleInterface* child(int index) const override {
-        const std::vector<Named> curves = view_.curves().named();
+        const std::vector<Named> curves = view_.scene().curves().named();
         const auto i = static_cast<std::size_t>(index);
         return index >= 0 && i < curves.size() ? ofCurve(curves[i].serial) : nullptr;
     }
     [[nodiscard]] int indexOfChild(const QAccessibleInterface* child) const override {
         const auto* curve = dynamic_cast<const CurveInterface*>(child);
-        const std::vector<Named> curves = view_.curves().named();
+        const std::vector<Named> curves = view_.scene().curves().named();
         const auto found =
             std::ranges::find_if(curves, [&](const Named& named) { return curve && named.serial == curve->serial(); });
         return found == curves.end() ? -1 : static_cast<int>(found - curves.begin());
     }
     [[nodiscard]] QAccessibleInterface* childAt(int x, int y) const override {
-        const Hit hit = view_.hitAt(view_.viewport()->mapFromGlobal(QPointF(x, y)));
+        const Hit hit = view_.scene().hitAt(view_.viewport()->mapFromGlobal(QPointF(x, y)));
         if (hit.grip && hit.grip->id.kind == GripKind::point)
             return ofPoint(*hit.grip);
         return hit.curve ? ofCurve(*hit.curve) : nullptr;
     }
     [[nodiscard]] QAccessibleInterface* focusChild() const override {
-        const Selection& selection = view_.selection();
+        const Selection& selection = view_.scene().selection();
         return selection.size() == 1 && view_.hasFocus() ? ofPoint(selection.front()) : nullptr;
     }
 
@@ -196,8 +196,8 @@ QAccessible::State PointInterface::state() const {
     QAccessible::State state;
     state.focusable = state.selectable = true;
     state.invalid = !isValid();
-    state.selected = isValid() && view()->selection().contains(grip_);
-    state.focused = state.selected && view()->selection().size() == 1 && view()->hasFocus();
+    state.selected = isValid() && view()->scene().selection().contains(grip_);
+    state.focused = state.selected && view()->scene().selection().size() == 1 && view()->hasFocus();
     return state;
 }
 

@@ -22,24 +22,34 @@ void CanvasScene::setCurves(std::vector<CanvasCurve> curves) {
     selectedPlaces_.reset();
     areHighlightsPrepared_ = false;
     update();
+    Q_EMIT curvesChanged();
 }
 
-bool CanvasScene::updateCurves(std::vector<CanvasCurve> curves) {
+void CanvasScene::updateCurves(std::vector<CanvasCurve> curves) {
     const bool areAllDue = std::ranges::all_of(curves, &CanvasCurve::isFigureDue);
     for (CanvasCurve& curve : curves)
         curves_.update(std::move(curve));
     if (areAllDue)
-        return false;
+        return;
     selectedPlaces_.reset();
     updateIn(curves_.prepare(sight_));
     followHighlights();
-    return true;
+    Q_EMIT curvesChanged();
+}
+
+void CanvasScene::updateCurve(CanvasCurve curve) {
+    std::vector<CanvasCurve> one;
+    one.push_back(std::move(curve));
+    updateCurves(std::move(one));
 }
 
 void CanvasScene::setSelection(Selection selection) {
+    const bool isChanged = selection != selection_;
     selection_ = std::move(selection);
     selectedPlaces_.reset();
     followHighlights();
+    if (isChanged)
+        Q_EMIT selectionChanged();
 }
 
 void CanvasScene::setHovered(std::optional<GripRef> grip) {
@@ -100,8 +110,10 @@ void CanvasScene::setColorsAndFont(const QPalette& palette, const QFont& font) {
 }
 
 void CanvasScene::setGridShown(bool isShown) {
-    grid_.hasGrid = isShown;
+    if (std::exchange(grid_.hasGrid, isShown) == isShown)
+        return;
     update();
+    Q_EMIT gridShownChanged(isShown);
 }
 
 void CanvasScene::setAxesShown(bool areShown) {

@@ -18,9 +18,11 @@ class CanvasScene : public QGraphicsScene {
   public:
     explicit CanvasScene(QObject* parent = nullptr);
 
+    /// All curves, from the lowest to the topmost.
     void setCurves(std::vector<CanvasCurve> curves);
-    /// Whether anything looks different now.
-    bool updateCurves(std::vector<CanvasCurve> curves);
+    /// These curves in place; the others are not touched.
+    void updateCurves(std::vector<CanvasCurve> curves);
+    void updateCurve(CanvasCurve curve);
     void setSelection(Selection selection);
     [[nodiscard]] const Selection& selection() const { return selection_; }
     void setHovered(std::optional<GripRef> grip);
@@ -33,9 +35,11 @@ class CanvasScene : public QGraphicsScene {
     /// What the dragged point snapped to, shown by a mark.
     void setSnap(std::optional<Snap> snap);
 
+    /// The view's, which fits and zooms.
     void setMapping(const Viewport& mapping);
     [[nodiscard]] const Viewport& mapping() const { return sight_.viewport; }
     void setDevicePixelRatio(double ratio);
+    /// In which colours figures are drawn; grid and paper follow the palette.
     void setTheme(Theme theme);
     void setTexts(TextSource texts);
     void setColorsAndFont(const QPalette& palette, const QFont& font);
@@ -53,6 +57,11 @@ class CanvasScene : public QGraphicsScene {
     [[nodiscard]] std::optional<Snap> snapOf(const SnappingPlace& place) const;
     [[nodiscard]] const CanvasCurves& curves() const { return curves_; }
     [[nodiscard]] const Points& selectedPlaces();
+
+  Q_SIGNALS:
+    /// They look different now.
+    void curvesChanged();
+    void gridShownChanged(bool isShown);
 
   protected:
     void drawBackground(QPainter* painter, const QRectF& rectangle) override;

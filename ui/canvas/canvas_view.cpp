@@ -18,11 +18,11 @@ constexpr double kMargin = 40; ///< pixels around what is fitted or revealed: ro
 
 } // namespace
 
-CanvasView::CanvasView(CanvasClient& client, QWidget* parent)
+CanvasView::CanvasView(CanvasInput& input, QWidget* parent)
     : QGraphicsView(parent)
-    , client_(client)
-    , gestures_(*this, client)
-    , keys_(*this, gestures_, client) {
+    , input_(input)
+    , gestures_(*this, input)
+    , keys_(*this, gestures_, input) {
     setScene(&scene_);
     setFrameShape(NoFrame);
     setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -34,36 +34,19 @@ CanvasView::CanvasView(CanvasClient& client, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     viewport()->setMouseTracking(true);
     scene_.setColorsAndFont(palette(), font());
+    connect(&scene_, &CanvasScene::curvesChanged, this, [this] { gestures_.lookAgain(); });
+    connect(&scene_, &CanvasScene::selectionChanged, this, [this] {
+        if (scene_.selection().size() == 1)
+            announcePoint(*this, scene_.selection().front());
+    });
     makeAccessible();
     retranslateUi();
 }
 
-void CanvasView::setCurves(std::vector<CanvasCurve> curves) {
-    scene_.setCurves(std::move(curves));
-    gestures_.lookAgain();
-}
-
-void CanvasView::updateCurves(std::vector<CanvasCurve> curves) {
-    if (scene_.updateCurves(std::move(curves)))
-        gestures_.lookAgain();
-}
-
-void CanvasView::updateCurve(CanvasCurve curve) {
-    std::vector<CanvasCurve> one;
-    one.push_back(std::move(curve));
-    updateCurves(std::move(one));
-}
-
-void CanvasView::setSelection(Selection selection) {
-    const bool isOne = selection.size() == 1 && selection != scene_.selection();
-    scene_.setSelection(std::move(selection));
-    if (isOne)
-        announcePoint(*this, scene_.selection().front());
-}
-
 void CanvasView::choose(const GripRef& grip) {
-    client_.select({grip});
-    reveal(grip);
+    input_.select({grip});
+    if (const auto place = scene_.curves().placeOf(grip))
+        reveal(*place);
 }
 
 void CanvasView::setTool(Tool tool) {
@@ -78,13 +61,6 @@ void CanvasView::setTool(Tool tool) {
 void CanvasView::retranslateUi() {
     setAccessibleName(tr("Canvas"));
     scene_.setTexts(textSource());
-}
-
-void CanvasView::setGridShown(bool isShown) {
-    if (isGridShown() == isShown)
-        return;
-    scene_.setGridShown(isShown);
-    Q_EMIT gridShownChanged(isShown);
 }
 
 void CanvasView::setMapping(const Viewport& mapping) {
@@ -114,33 +90,14 @@ void CanvasView::fitAllAgain() {
 }
 
 void CanvasView::fitSelection() {
-    if (selection().empty())
+    if (scene_.selection().empty())
         fitAll();
     else
         setMapping(fitted(mapping(), boxOf(scene_.selectedPlaces()), kMargin));
 }
 
-void CanvasView::reveal(const GripRef& grip) {
-    if (const auto place = scene_.curves().placeOf(grip))
-        reveal(*place);
-}
-
 void CanvasView::reveal(Point place) {
     setMapping(revealing(mapping(), place, kMargin));
-}
-
-void CanvasView::hover(QPointF pixel, Qt::KeyboardModifiers modifiers) {
-    const Hit under = hitAt(pixel);
-    scene_.setHovered(under.grip);
-    client_.hover(under, mapping().toDocument(pixel), modifiers);
-}
-
-void CanvasView::requestContextMenu(QPointF pixel) {
-    Q_EMIT contextMenuRequested(viewport()->mapToGlobal(pixel.toPoint()), hitAt(pixel));
-}
-
-void CanvasView::leave() {
-    QGraphicsView::focusNextPrevChild(true);
 }
 
 bool CanvasView::event(QEvent* event) {
@@ -154,8 +111,6 @@ bool CanvasView::event(QEvent* event) {
 bool CanvasView::viewportEvent(QEvent* event) {
     if (event->type() == QEvent::Leave) {
         gestures_.leave();
-        scene_.setHovered(std::nullopt);
-        scene_.setSnap(std::nullopt);
         Q_EMIT pointerLeft();
     } else if (event->type() == QEvent::UngrabMouse) {
         gestures_.finish();
@@ -203,7 +158,8 @@ void CanvasView::contextMenuEvent(QContextMenuEvent* event) {
     if (event->reason() == QContextMenuEvent::Mouse)
         return;
     const Points& places = scene_.selectedPlaces();
-    requestContextMenu(places.empty() ? scene_.sceneRect().center() : mapping().toPixels(places.front()));
+    const QPointF pixel = places.empty() ? scene_.sceneRect().center() : mapping().toPixels(places.front());
+    input_.click(gestures_.eventAt(pixel, Qt::RightButton, {}));
 }
 
 void CanvasView::keyPressEvent(QKeyEvent* event) {

@@ -2,7 +2,6 @@
 
 #include "ui/canvas/base/qt_geometry.h"
 #include "ui/canvas/canvas_view.h"
-#include "ui/canvas/drags.h"
 
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -19,28 +18,24 @@ constexpr double kPixelsPerNotch = 60; ///< three lines, as elsewhere
 
 } // namespace
 
-Gestures::Gestures(CanvasView& view, CanvasClient& client)
+Gestures::Gestures(CanvasView& view, CanvasInput& input)
     : view_(view)
-    , client_(client) {}
+    , input_(input) {}
 
 void Gestures::press(const QMouseEvent& event) {
     pixel_ = event.position();
-    const bool isOurs = event.button() & (Qt::LeftButton | Qt::MiddleButton | Qt::RightButton);
-    if (isRunning() && event.button() == Qt::RightButton)
-        cancel();
-    else if (!isRunning() && isOurs)
-        begin(event);
+    if (isRunning()) {
+        if (event.button() == Qt::RightButton)
+            cancel();
+    } else if (event.button() & (Qt::LeftButton | Qt::MiddleButton | Qt::RightButton)) {
+        press_ = eventAt(pixel_, event.button(), event.modifiers());
+        const bool isPanning = press_.button == Qt::MiddleButton || (press_.button == Qt::LeftButton && isSpaceHeld_);
+        setState(isPanning ? State::panning : State::pressed);
+    }
 }
 
-void Gestures::begin(const QMouseEvent& event) {
-    press_ = pressOf(event);
-    const bool isPanning = press_.button == Qt::MiddleButton || (press_.button == Qt::LeftButton && isSpaceHeld_);
-    setState(isPanning ? State::panning : State::pressed);
-}
-
-Press Gestures::pressOf(const QMouseEvent& event) const {
-    const QPointF pixel = event.position();
-    return {pixel, view_.mapping().toDocument(pixel), event.button(), event.modifiers(), view_.hitAt(pixel)};
+PointerEvent Gestures::eventAt(QPointF pixel, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) const {
+    return {pixel, view_.mapping().toDocument(pixel), button, modifiers, view_.scene().hitAt(pixel)};
 }
 
 void Gestures::move(const QMouseEvent& event) {
@@ -60,16 +55,19 @@ void Gestures::move(const QMouseEvent& event) {
 void Gestures::follow(Qt::KeyboardModifiers modifiers) {
     modifiers_ = modifiers;
     if (state_ == State::dragging)
-        client_.drag(wayOf(press_, view_.mapping().toDocument(pixel_), modifiers), {modifiers, isSpaceHeld_});
+        input_.drag(view_.mapping().toDocument(pixel_) - press_.at, {modifiers, isSpaceHeld_});
     else if (state_ == State::banding)
-        view_.setRubberBand(band());
+        view_.scene().setRubberBand(band());
     else
         lookAgain();
 }
 
 void Gestures::lookAgain() {
-    if (state_ == State::idle && isPointerInside_)
-        view_.hover(pixel_, modifiers_);
+    if (state_ != State::idle || !isPointerInside_)
+        return;
+    const PointerEvent now = eventAt(pixel_, Qt::NoButton, modifiers_);
+    view_.scene().setHovered(now.under.grip);
+    input_.hover(now);
 }
 
 void Gestures::wheel(QWheelEvent& event) {
@@ -86,7 +84,9 @@ void Gestures::wheel(QWheelEvent& event) {
 
 void Gestures::leave() {
     isPointerInside_ = false;
-    view_.setGhost(std::nullopt);
+    view_.scene().setHovered(std::nullopt);
+    view_.scene().setSnap(std::nullopt);
+    view_.scene().setGhost(std::nullopt);
 }
 
 void Gestures::release(const QMouseEvent& event) {
@@ -95,7 +95,7 @@ void Gestures::release(const QMouseEvent& event) {
         return;
     if (state_ == State::pressed) {
         setState(State::idle);
-        click(press_, view_, client_);
+        input_.click(press_);
     } else {
         finish();
     }
@@ -103,13 +103,10 @@ void Gestures::release(const QMouseEvent& event) {
 }
 
 void Gestures::doubleClick(const QMouseEvent& event) {
-    const Press second = pressOf(event);
-    const bool isPlain = second.button == Qt::LeftButton && second.modifiers == Qt::NoModifier;
-    // Elsewhere the second press is one more click.
-    if (isRunning() || !isPlain || isSpaceHeld_ || view_.tool() == Tool::add || second.under.grip)
+    const bool isDone = !isRunning() && !isSpaceHeld_ &&
+                        input_.doubleClick(eventAt(event.position(), event.button(), event.modifiers()));
+    if (!isDone)
         press(event);
-    else
-        kriva::ui::doubleClick(second, client_);
 }
 
 void Gestures::setSpaceHeld(bool isHeld) {
@@ -121,51 +118,47 @@ void Gestures::setSpaceHeld(bool isHeld) {
 }
 
 std::optional<CurvePlace> Gestures::curveUnderPointer() const {
-    const std::optional<Serial> curve = isPointerInside_ ? view_.hitAt(pixel_).curve : std::nullopt;
+    const std::optional<Serial> curve = isPointerInside_ ? view_.scene().hitAt(pixel_).curve : std::nullopt;
     if (!curve)
         return std::nullopt;
     return CurvePlace{*curve, view_.mapping().toDocument(pixel_)};
 }
 
 void Gestures::startDrag() {
-    view_.setGhost(std::nullopt);
-    switch (beginDrag(press_, view_, client_)) {
-    case DragKind::none:
-        return setState(State::idle);
-    case DragKind::drag:
-        return setState(State::dragging);
-    case DragKind::band:
-        return setState(State::banding);
-    }
+    view_.scene().setGhost(std::nullopt);
+    if (press_.button == Qt::RightButton)
+        setState(State::idle);
+    else
+        setState(input_.beginDrag(press_) ? State::dragging : State::banding);
 }
 
 void Gestures::cancel() {
     const State was = state_;
     setState(State::idle);
     if (was == State::dragging)
-        client_.cancelDrag();
+        input_.cancelDrag();
     else if (was == State::banding)
-        view_.setRubberBand(std::nullopt);
+        view_.scene().setRubberBand(std::nullopt);
 }
 
 void Gestures::finish() {
     const State was = state_;
     setState(State::idle);
     if (was == State::dragging)
-        client_.endDrag();
+        input_.endDrag();
     else if (was == State::banding)
         finishBand();
 }
 
 void Gestures::finishBand() {
-    const Selection inside = view_.pointsIn(band());
-    view_.setRubberBand(std::nullopt);
+    const Selection inside = view_.scene().pointsIn(band());
+    view_.scene().setRubberBand(std::nullopt);
     const bool isShift = press_.with(Qt::ShiftModifier);
     const bool isSubtracting = press_.with(Qt::AltModifier) || (isShift && press_.with(Qt::ControlModifier));
     if (isSubtracting)
-        client_.select(without(view_.selection(), inside));
+        input_.select(without(view_.scene().selection(), inside));
     else
-        client_.select(isShift ? united(view_.selection(), inside) : inside);
+        input_.select(isShift ? united(view_.scene().selection(), inside) : inside);
 }
 
 QRectF Gestures::band() const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/canvas/clicks.h"
+#include "ui/canvas/canvas_input.h"
 
 #include <QRectF>
 
@@ -9,14 +9,14 @@ class QWheelEvent;
 
 namespace kriva::ui {
 
-enum class Tool { edit, add };
+class CanvasView;
 
 inline constexpr double kZoomStep = 1.25; ///< of Zoom in and of a notch of the wheel
 
-/// Turns what the mouse does on a canvas into wishes: which press means what, and where a click becomes a drag.
+/// What the mouse does on a canvas: where a click becomes a drag, a rubber band or a pan, and how each of them ends.
 class Gestures {
   public:
-    Gestures(CanvasView& view, CanvasClient& client);
+    Gestures(CanvasView& view, CanvasInput& input);
 
     void press(const QMouseEvent& event);
     void move(const QMouseEvent& event);
@@ -26,13 +26,14 @@ class Gestures {
     void wheel(QWheelEvent& event);
     /// The pointer is elsewhere: nothing is hovered any more.
     void leave();
-    /// While it is held before a press, the press pans; what it means in a drag is the client's to say.
+    /// While it is held before a press, the press pans; what it means in a drag is the input's to say.
     void setSpaceHeld(bool isHeld);
     /// The view or the modifier keys changed under a pointer that stands still.
     void follow(Qt::KeyboardModifiers modifiers);
     /// Curves changed under it; a drag that changes them knows.
     void lookAgain();
 
+    [[nodiscard]] PointerEvent eventAt(QPointF pixel, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) const;
     /// Where a point would be inserted.
     [[nodiscard]] std::optional<CurvePlace> curveUnderPointer() const;
 
@@ -46,17 +47,15 @@ class Gestures {
 
   private:
     enum class State { idle, pressed, dragging, banding, panning };
-    void begin(const QMouseEvent& event);
-    [[nodiscard]] Press pressOf(const QMouseEvent& event) const;
     void startDrag();
     void finishBand();
     void setState(State state);
     [[nodiscard]] QRectF band() const;
 
     CanvasView& view_;
-    CanvasClient& client_;
+    CanvasInput& input_;
     State state_ = State::idle;
-    Press press_;
+    PointerEvent press_;
     QPointF pixel_;                   ///< where the pointer is
     Qt::KeyboardModifiers modifiers_; ///< as last told
     bool isPointerInside_ = false;

@@ -62,10 +62,10 @@ constexpr double kLongNudge = 10; ///< grid steps with Shift
 
 } // namespace
 
-KeyGestures::KeyGestures(CanvasView& view, Gestures& mouse, CanvasClient& client)
+KeyGestures::KeyGestures(CanvasView& view, Gestures& mouse, CanvasInput& input)
     : view_(view)
     , mouse_(mouse)
-    , client_(client) {}
+    , input_(input) {}
 
 bool KeyGestures::wants(const QKeyEvent& event) const {
     const Qt::KeyboardModifiers modifiers = modifiersOf(event);
@@ -104,7 +104,7 @@ bool KeyGestures::press(const QKeyEvent& event) {
         return true;
     }
     if (mouse_.isRunning())
-        return true; // the hand is busy
+        return true; // the mouse is at work
     if (const auto direction = arrowOf(event.key())) {
         nudge(*direction, modifiersOf(event));
         return true;
@@ -112,9 +112,8 @@ bool KeyGestures::press(const QKeyEvent& event) {
     switch (event.key()) {
     case Qt::Key_Delete:
     case Qt::Key_Backspace:
-        if (!view_.selection().empty())
-            client_.removeSelected(event.modifiers().testFlag(Qt::ControlModifier) ? Removal::plain
-                                                                                   : Removal::refitted);
+        if (!view_.scene().selection().empty())
+            input_.removeSelected(event.modifiers().testFlag(Qt::ControlModifier) ? Removal::plain : Removal::refitted);
         return true;
     case Qt::Key_Insert:
         insert();
@@ -144,7 +143,7 @@ bool KeyGestures::pressSingleKey(const QKeyEvent& event) {
         view_.fitSelection();
         return true;
     case Qt::Key_G:
-        view_.setGridShown(!view_.isGridShown());
+        view_.scene().setGridShown(!view_.scene().isGridShown());
         return true;
     default:
         return false;
@@ -152,22 +151,19 @@ bool KeyGestures::pressSingleKey(const QKeyEvent& event) {
 }
 
 void KeyGestures::insert() {
-    if (const std::optional<CurvePlace> place = mouse_.curveUnderPointer())
-        client_.insertPoint(place->curve, place->near);
-    else
-        client_.insertPointBehindSelected();
+    input_.insertPoint(mouse_.curveUnderPointer());
     mouse_.follow(Qt::NoModifier);
 }
 
 void KeyGestures::nudge(Vector direction, Qt::KeyboardModifiers modifiers) {
-    if (view_.selection().empty())
+    if (view_.scene().selection().empty())
         return;
     double step = gridStep(view_.mapping());
     if (modifiers == Qt::ShiftModifier)
         step *= kLongNudge;
     else if (modifiers == Qt::AltModifier)
         step = 1 / view_.mapping().scale;
-    client_.nudge(step * direction);
+    input_.nudge(step * direction);
 }
 
 void KeyGestures::escape() {
@@ -175,8 +171,8 @@ void KeyGestures::escape() {
         mouse_.cancel();
     else if (view_.tool() == Tool::add)
         view_.setTool(Tool::edit);
-    else if (!view_.selection().empty())
-        client_.select({});
+    else if (!view_.scene().selection().empty())
+        input_.select({});
     else
         view_.leave();
 }
@@ -188,16 +184,15 @@ bool KeyGestures::walk(bool isForwards) {
     hasWalkedOut_ = !next;
     if (!next)
         return false;
-    client_.select({*next});
-    view_.reveal(*next);
+    view_.choose(*next);
     return true;
 }
 
 std::optional<GripRef> KeyGestures::neighbourOfSelection(bool isNext) const {
-    std::vector<GripRef> points = view_.points();
+    std::vector<GripRef> points = view_.scene().curves().points();
     if (!isNext)
         std::ranges::reverse(points);
-    const auto isSelected = [&](const GripRef& point) { return view_.selection().contains(point); };
+    const auto isSelected = [&](const GripRef& point) { return view_.scene().selection().contains(point); };
     const auto last = hasWalkedOut_ ? points.rend() : std::find_if(points.rbegin(), points.rend(), isSelected);
     const auto next = last.base(); // the one after it; the first one where none is selected
     return next == points.end() ? std::nullopt : std::optional(*next);

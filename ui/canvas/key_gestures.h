@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/canvas/canvas_client.h"
+#include "ui/canvas/canvas_input.h"
 
 class QKeyEvent;
 
@@ -9,10 +9,10 @@ namespace kriva::ui {
 class CanvasView;
 class Gestures;
 
-/// Turns keys pressed on a canvas into wishes.
+/// What the keys do on a canvas.
 class KeyGestures {
   public:
-    KeyGestures(CanvasView& view, Gestures& mouse, CanvasClient& client);
+    KeyGestures(CanvasView& view, Gestures& mouse, CanvasInput& input);
 
     /// Whether the key means something here, so that no shortcut of the window takes it.
     [[nodiscard]] bool wants(const QKeyEvent& event) const;
@@ -30,7 +30,7 @@ class KeyGestures {
 
     CanvasView& view_;
     Gestures& mouse_;
-    CanvasClient& client_;
+    CanvasInput& input_;
     bool hasWalkedOut_ = false; ///< the next walk starts anew
 };
 

@@ -31,14 +31,14 @@ CanvasContent::CanvasContent(const ShownSheet& sheet, const SheetRelations& rela
     connect(&document, &OpenDocument::curvesChanged, this, ifMine);
     connect(&document, &OpenDocument::viewChanged, this, ifMine);
     connect(&sheet, &ShownSheet::shownCurveChanged, this, &CanvasContent::update);
-    connect(&sheet, &ShownSheet::selectionChanged, this, [this] { canvas_.setSelection(sheet_.selection()); });
+    connect(&sheet, &ShownSheet::selectionChanged, this, [this] { canvas_.scene().setSelection(sheet_.selection()); });
     connect(&sheet, &ShownSheet::pointedOutChanged, this, [this](bool areNew) {
         const Points& places = sheet_.pointedOut();
-        canvas_.setPointedOut(places);
+        canvas_.scene().setPointedOut(places);
         if (areNew && !places.empty())
             canvas_.reveal(places.front());
     });
-    connect(&relations, &SheetRelations::changed, this, [this] { canvas_.updateCurve(this->relations()); });
+    connect(&relations, &SheetRelations::changed, this, [this] { canvas_.scene().updateCurve(this->relations()); });
 }
 
 bool CanvasContent::isShown(Serial serial) const {
@@ -111,9 +111,9 @@ void CanvasContent::showAll() {
             due_.push_back(serial);
     }
     curves.push_back(relations());
-    canvas_.setCurves(std::move(curves));
-    canvas_.setGhost(std::nullopt);
-    canvas_.setSelection(sheet_.selection());
+    canvas_.scene().setCurves(std::move(curves));
+    canvas_.scene().setGhost(std::nullopt);
+    canvas_.scene().setSelection(sheet_.selection());
     isNew_ = isNew_ && !due_.empty();
     drawNext();
 }
@@ -121,14 +121,14 @@ void CanvasContent::showAll() {
 void CanvasContent::update(Serial serial) {
     const bool isFirstDue = worker_.isWorking(); // what it draws may be this curve, as it was
     if (isFirstDue || stepsToDraw(serial) > kStepsOfFrame) {
-        canvas_.updateCurve(due(serial));
+        canvas_.scene().updateCurve(due(serial));
         std::erase(due_, serial);
         due_.insert(due_.begin(), serial);
         drawNext();
     } else {
-        canvas_.updateCurve(drawnNow(serial));
+        canvas_.scene().updateCurve(drawnNow(serial));
     }
-    canvas_.setGhost(std::nullopt); // the next move of the pointer shows it where it is then
+    canvas_.scene().setGhost(std::nullopt); // the next move of the pointer shows it where it is then
 }
 
 void CanvasContent::drawNext() {
@@ -150,7 +150,7 @@ void CanvasContent::take(std::vector<CanvasCurve> drawn) {
     for (CanvasCurve& curve : drawn) // what changed meanwhile is taken hold of as it is now
         if (std::ranges::find(due_, curve.serial) != due_.end())
             curve.grips = due(curve.serial).grips;
-    canvas_.updateCurves(std::move(drawn));
+    canvas_.scene().updateCurves(std::move(drawn));
     if (due_.empty() && std::exchange(isNew_, false)) {
         followPage();
         canvas_.fitAllAgain();
@@ -159,7 +159,7 @@ void CanvasContent::take(std::vector<CanvasCurve> drawn) {
 }
 
 void CanvasContent::followPage() {
-    const Box box = canvas_.curves().boxOfFigures();
+    const Box box = canvas_.scene().curves().boxOfFigures();
     canvas_.setUnitScale(pageOf(box, sheet_.sheet().view.mmPerUnit).mmPerUnit * kPixelsPerMillimetre);
 }
 

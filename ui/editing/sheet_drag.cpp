@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
+
 namespace kriva::ui {
 namespace {
 
@@ -12,11 +14,6 @@ namespace {
     if (!keys.with(Qt::ControlModifier))
         return HandleWay::Angle::free;
     return keys.with(Qt::AltModifier) ? HandleWay::Angle::kept : HandleWay::Angle::stepped;
-}
-
-/// Handles and derivatives are directions: they keep away from the grid.
-[[nodiscard]] bool snaps(GripKind kind) {
-    return kind == GripKind::point || kind == GripKind::inner || kind == GripKind::middle;
 }
 
 [[nodiscard]] std::optional<Point> placeOf(const Curve& curve, const GripId& id) {
@@ -30,6 +27,8 @@ namespace {
 
 void SheetDrag::reset() {
     from_.reset();
+    canLock_ = false;
+    mayShiftSwitch_ = false;
     pulledAt_.reset();
     handle_.reset();
     offset_ = {};
@@ -50,18 +49,19 @@ Curve withGripsCarried(const Curve& curve, std::span<const GripId> ids, Point fr
 
 void SheetDrag::begin(const GripRef& grip) {
     reset();
-    if (!editor_.selection().contains(grip))
-        editor_.select({grip});
+    editor_.activate(grip.serial);
     grips_ = editor_.selectedGrips(grip.serial);
     if (grips_.size() == 1 && isHandle(grip.id.kind))
         handle_ = grip.id;
     beginGesture(grip.serial,
                  grips_.size() > 1 ? StepLabel{QT_TRANSLATE_NOOP("Step", "Move points")} : moveLabel(grip.id));
-    from_ = snaps(grip.id.kind) ? placeOf(start_, grip.id) : std::nullopt;
+    canLock_ = !isHandle(grip.id.kind); // handles and derivatives are directions: they keep away from the grid too
+    from_ = canLock_ ? placeOf(start_, grip.id) : std::nullopt;
 }
 
 void SheetDrag::beginOnCurve(Serial serial, Point at) {
     reset();
+    editor_.activate(serial);
     const Curve* curve = editor_.document().find(editor_.index(), serial);
     if (!curve)
         return;
@@ -108,14 +108,28 @@ void SheetDrag::beginGesture(Serial serial, const StepLabel& label) {
         home_ = start_ = document.gestureStart();
 }
 
-std::optional<Point> SheetDrag::snappingPlace(Vector by) const {
-    return from_ ? std::optional(*from_ + by) : std::nullopt;
+Vector SheetDrag::allowed(Vector by, const DragKeys& keys) const {
+    if (!canLock_ || !keys.with(Qt::ControlModifier))
+        return by;
+    return std::abs(by.x) >= std::abs(by.y) ? Vector{by.x, 0} : Vector{0, by.y};
+}
+
+std::optional<SnappingPlace> SheetDrag::snappingPlace(Vector by, const DragKeys& keys) {
+    const bool isShift = keys.with(Qt::ShiftModifier);
+    mayShiftSwitch_ = mayShiftSwitch_ || !isShift;
+    const Vector way = allowed(by, keys);
+    const bool isMoved = way != Vector{}; // back home is home, on the grid or not
+    if (!from_ || !isMoved || (isShift && mayShiftSwitch_))
+        return {};
+    const bool isLocked = keys.with(Qt::ControlModifier);
+    const Freedom freedom = !isLocked ? Freedom::both : way.y == 0 ? Freedom::x : Freedom::y;
+    return SnappingPlace{*from_ + way, freedom, serial_, grips_};
 }
 
 void SheetDrag::move(Vector by, const DragKeys& keys, std::optional<Point> snapped) {
     OpenDocument& document = editor_.document();
     if (document.hasGesture())
-        document.preview(moved(by, keys, snapped));
+        document.preview(moved(allowed(by, keys), keys, snapped));
 }
 
 Curve SheetDrag::moved(Vector by, const DragKeys& keys, std::optional<Point> snapped) {

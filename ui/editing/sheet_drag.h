@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/curve/editing/handle_way.h"
+#include "ui/canvas/base/snapping.h"
 #include "ui/editing/sheet_editor.h"
 
 namespace kriva::ui {
@@ -8,14 +9,15 @@ namespace kriva::ui {
 /// The grips moved so that one that stands at `from` stands at `to`, bit for bit.
 [[nodiscard]] Curve withGripsCarried(const Curve& curve, std::span<const GripId> ids, Point from, Point to);
 
-/// A drag on the canvas of one sheet: one of the begins, then any number of moves, then end or cancel. What it gives is
-/// computed from the curve as it was when the drag began.
+/// A drag on the canvas of one sheet, a gesture of the document: one of the begins, then any number of moves, then end
+/// or cancel. A move previews what is computed from the curve as it was when the drag began, and the end makes that one
+/// step. The curve that is dragged becomes the active one.
 class SheetDrag {
   public:
     explicit SheetDrag(SheetEditor& editor)
         : editor_(editor) {}
 
-    /// Of the selection, or of the grip alone where it is not part of it.
+    /// Of the selection, which the grip is part of.
     void begin(const GripRef& grip);
     /// Of the curve itself, taken hold of at `at`; refused with a hint where it gives way to no pull.
     void beginOnCurve(Serial serial, Point at);
@@ -23,13 +25,11 @@ class SheetDrag {
     void beginAdding(Point at);
     /// The same of a point that is inserted into a curve near `at`.
     void beginInserting(Serial serial, Point at);
-    /// Where the point that was taken hold of would stand after the whole way `by` since the drag began; nothing where
-    /// what is dragged does not snap.
-    [[nodiscard]] std::optional<Point> snappingPlace(Vector by) const;
-    [[nodiscard]] Serial curve() const { return serial_; }
-    /// What moves, ascending.
-    [[nodiscard]] std::span<const GripId> moving() const { return grips_; }
-    /// `by` is the whole way since the drag began; `snapped`, where the point that was taken hold of comes to stand.
+    /// Where the point that was taken hold of would stand after the whole displacement `by` since the drag began;
+    /// nothing where it does not snap. It holds until the next begin.
+    [[nodiscard]] std::optional<SnappingPlace> snappingPlace(Vector by, const DragKeys& keys);
+    /// `by` is the whole displacement since the drag began, which Ctrl locks to an axis for a point; `snapped`, where
+    /// the point that was taken hold of comes to stand.
     void move(Vector by, const DragKeys& keys, std::optional<Point> snapped = {});
     void end();
     void cancel();
@@ -41,6 +41,7 @@ class SheetDrag {
     void beginGesture(Serial serial, const StepLabel& label);
     void reset();
     void pullNewPoint(int point, Point at);
+    [[nodiscard]] Vector allowed(Vector by, const DragKeys& keys) const;
     [[nodiscard]] Curve moved(Vector by, const DragKeys& keys, std::optional<Point> snapped);
     void followSpace(Vector by, bool isHeld);
     void followAlt(bool isHeld);
@@ -51,6 +52,8 @@ class SheetDrag {
     Serial serial_ = 0;
     std::vector<GripId> grips_;
     std::optional<Point> from_;        ///< where the point that was taken hold of stood, where it snaps
+    bool canLock_ = false;             ///< to an axis
+    bool mayShiftSwitch_ = false;      ///< snapping off: Shift pressed before the drag added to the selection
     std::optional<Point> pulledAt_;    ///< where the curve itself is dragged
     std::optional<GripId> handle_;     ///< where it is the one thing dragged
     Vector offset_;                    ///< from the point whose handles are pulled to the press

@@ -55,6 +55,7 @@ void SheetEditor::insertPoint(Serial serial, Point near) {
 }
 
 std::optional<int> SheetEditor::beginInserting(Serial serial, Point near) {
+    activate(serial);
     const Curve* curve = document().find(index(), serial);
     if (!curve)
         return {};
@@ -163,15 +164,20 @@ void SheetEditor::reverse() {
 }
 
 void SheetEditor::retractHandle(const GripRef& handle) {
+    activate(handle.serial);
     const Curve* curve = document().find(index(), handle.serial);
     std::optional<Curve> retracted = curve ? withHandleRetracted(*curve, handle.id) : std::nullopt;
     if (retracted)
         document().change(index(), handle.serial, std::move(*retracted), retractLabel(handle.id));
 }
 
-bool SheetEditor::closeAt(const GripRef& point) {
+std::optional<Curve> SheetEditor::closedAt(const GripRef& point) const {
     const bool isPoint = point.serial == activeSerial() && point.id.kind == GripKind::point;
-    std::optional<Curve> closed = isPoint ? closedAt(*activeCurve(), point.id.index) : std::nullopt;
+    return isPoint ? kriva::closedAt(*activeCurve(), point.id.index) : std::nullopt;
+}
+
+bool SheetEditor::closeAt(const GripRef& point) {
+    std::optional<Curve> closed = closedAt(point);
     if (!closed)
         return false;
     change(std::move(*closed), {QT_TRANSLATE_NOOP("Step", "Close the curve")});
@@ -234,8 +240,7 @@ void SheetEditor::moveCurve(Serial serial, int to) {
 void SheetEditor::activateNextCurve() {
     const std::vector<Serial>& serials = document().serials(index());
     if (!serials.empty())
-        document().setActiveCurve(index(),
-                                  serials[static_cast<std::size_t>(sheet().view.activeCurve + 1) % serials.size()]);
+        activate(serials[static_cast<std::size_t>(sheet().view.activeCurve + 1) % serials.size()]);
 }
 
 void SheetEditor::usePointsIn(SheetIndex other) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/canvas/canvas_client.h"
+#include "ui/canvas/canvas_input.h"
 #include "ui/editing/hints/hint.h"
 #include "ui/editing/sheet/shown_sheet.h"
 
@@ -19,7 +19,8 @@ class SheetEditor : public ShownSheet {
     bool beginAdding(Point at);
     /// The points of a curve of this sheet behind those of the active one, in one step; they are selected.
     void append(const Curve& points, const StepLabel& label);
-    /// One point more near a place of the curve, which keeps its shape; the new point nearest to it is selected.
+    /// One point more near a place of the curve, which keeps its shape and becomes the active one; the new point
+    /// nearest to it is selected.
     void insertPoint(Serial serial, Point near);
     /// The same as a gesture that goes on; gives the new point, nothing where it is refused.
     std::optional<int> beginInserting(Serial serial, Point near);
@@ -34,6 +35,8 @@ class SheetEditor : public ShownSheet {
     /// A point of the active curve, placed by typing.
     void placePoint(int index, Point at);
     void nudge(Vector by);
+    /// The handle's curve becomes the active one.
+    void retractHandle(const GripRef& handle);
 
     // The active curve. `label` is marked with QT_TRANSLATE_NOOP("Step", ...).
     void change(Curve value, const StepLabel& label);
@@ -42,8 +45,9 @@ class SheetEditor : public ShownSheet {
     /// Two curves in place of the active one.
     void divide(Curve first, Curve second, const StepLabel& label);
     void reverse();
-    void retractHandle(const GripRef& handle);
-    /// Closes an open chain at its first point; false for any other point.
+    /// An open chain closed at its first point; nothing for any other point.
+    [[nodiscard]] std::optional<Curve> closedAt(const GripRef& point) const;
+    /// False where there is nothing to close.
     bool closeAt(const GripRef& point);
 
     // Curves.

@@ -94,7 +94,7 @@ void CurvesPanel::connectButtons() {
     connect(style_, &QToolButton::toggled, styleEditor_, &QWidget::setVisible);
     connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& index) {
         if (index.isValid())
-            editor_.document().setActiveCurve(editor_.index(), model_.serialAt(index.row()));
+            editor_.activate(model_.serialAt(index.row()));
     });
     connect(&editor_.document(), &OpenDocument::viewChanged, this, &CurvesPanel::showState);
     connect(&model_, &QAbstractItemModel::modelReset, this, &CurvesPanel::showState);

@@ -184,13 +184,8 @@ QDockWidget* SheetPanels::dockOf(const char* name) const {
     return tab_.findChild<QDockWidget*>(QString::fromLatin1(name));
 }
 
-bool SheetPanels::canExplain(const MarkPlace& mark) const {
-    return std::ranges::find(ui_.explained, mark.role) != ui_.explained.end();
-}
-
-void SheetPanels::explain(const MarkPlace& mark) {
-    if (canExplain(mark))
-        static_cast<TablesPanel*>(bringToFront("tables")->widget())->explain(mark.at);
+void SheetPanels::explain(Point mark) {
+    static_cast<TablesPanel*>(bringToFront("tables")->widget())->explain(mark);
 }
 
 void SheetPanels::beginRenaming() {

@@ -39,10 +39,8 @@ class SheetPanels {
     void reset();
     /// Brings a panel to the front and gives it the focus; `name` is that of its dock.
     void show(const char* name);
-    /// Whether the tables work out points that are marked so.
-    [[nodiscard]] bool canExplain(const MarkPlace& mark) const;
-    /// Brings the tables to the front and chooses the mark's point there; nothing happens where they cannot have it.
-    void explain(const MarkPlace& mark);
+    /// Brings the tables to the front and chooses the point that is marked there.
+    void explain(Point mark);
     /// Lets the name of the active curve be typed in the panel of curves, which comes into sight.
     void beginRenaming();
     /// The same with the guide, and gives it room to be read.

@@ -38,15 +38,13 @@ QList<QAction*> contextActions(const Hit& under, const Actions& actions, const S
 }
 
 void openContextMenu(SheetTab& tab, const Actions& actions, QPoint globalPosition, const Hit& under) {
-    CanvasView& canvas = tab.canvas();
-    tab.beginMenu(under, canvas.mapping().toDocument(canvas.viewport()->mapFromGlobal(globalPosition)));
-    auto* menu = new QMenu(&canvas);
+    auto* menu = new QMenu(&tab.canvas());
     menu->setObjectName(QStringLiteral("contextMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     for (QAction* action : contextActions(under, actions, tab))
         action ? menu->addAction(action) : static_cast<void>(menu->addSeparator());
-    // Not when it closes: what was chosen is carried out after that. The editor ends before the tab's children do.
-    QObject::connect(menu, &QObject::destroyed, &tab.editor(), [&tab] { tab.endMenu(); });
+    // Not when it closes: what was chosen is carried out after that.
+    QObject::connect(menu, &QObject::destroyed, &tab.input(), &SheetInput::endMenu);
     menu->popup(globalPosition);
 }
 

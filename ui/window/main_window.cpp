@@ -89,8 +89,10 @@ void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
         tabWidget_->addTab(tab, QString());
         auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + sheet)), this);
         connect(shortcut, &QShortcut::activated, this, [this, sheet] { document_.setActiveSheet(sheet); });
-        connect(tab, &SheetTab::hintChanged, status_, &StatusRow::showHint);
-        connect(tab, &SheetTab::told, status_, &StatusRow::tell);
+        connect(&tab->input(), &SheetInput::hintChanged, status_, &StatusRow::showHint);
+        connect(&tab->input(), &SheetInput::menuRequested, this,
+                [this, tab](QPoint at, const Hit& under) { openContextMenu(*tab, *actions_, at, under); });
+        connect(&tab->editor(), &SheetEditor::hint, status_, [this](const Hint& hint) { status_->tell(hint.text()); });
         connect(&tab->canvas(), &CanvasView::pointerMoved, status_, &StatusRow::showPointer);
         connect(&tab->canvas(), &CanvasView::pointerLeft, status_, &StatusRow::forgetPointer);
         connect(&tab->canvas(), &CanvasView::zoomChanged, this, [this, tab](double percent) {
@@ -98,9 +100,7 @@ void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
                 status_->showZoom(percent);
         });
         connect(&tab->canvas(), &CanvasView::toolChanged, this, &MainWindow::followTab);
-        connect(&tab->canvas(), &CanvasView::gridShownChanged, actions_->grid, &QAction::setChecked);
-        connect(&tab->canvas(), &CanvasView::contextMenuRequested, this,
-                [this, tab](QPoint at, const Hit& under) { openContextMenu(*tab, *actions_, at, under); });
+        connect(&tab->canvas().scene(), &CanvasScene::gridShownChanged, actions_->grid, &QAction::setChecked);
         connect(&tab->editor(), &SheetEditor::selectionChanged, this, &MainWindow::followSelection);
     }
     connect(tabWidget_, &QTabWidget::currentChanged, this,
@@ -161,7 +161,7 @@ void MainWindow::connectEditActions() {
     onEditor(actions_->selectAll, &SheetEditor::selectAll);
     onEditor(actions_->selectNone, &SheetEditor::selectNone);
     onEditor(actions_->selectInverse, &SheetEditor::invertSelection);
-    connect(actions_->insertPoint, &QAction::triggered, this, [this] { currentTab().insertPointHere(); });
+    connect(actions_->insertPoint, &QAction::triggered, this, [this] { currentTab().input().insertPointHere(); });
     onEditor(actions_->newCurve, &SheetEditor::beginCurve);
     onEditor(actions_->nextCurve, &SheetEditor::activateNextCurve);
     onEditor(actions_->reverseCurve, &SheetEditor::reverse);
@@ -182,8 +182,10 @@ void MainWindow::connectViewActions() {
     onCanvas(actions_->fitSelection, &CanvasView::fitSelection);
     connect(actions_->editTool, &QAction::triggered, this, [this] { currentTab().canvas().setTool(Tool::edit); });
     connect(actions_->addTool, &QAction::triggered, this, [this] { currentTab().canvas().setTool(Tool::add); });
-    connect(actions_->grid, &QAction::triggered, this, [this](bool on) { currentTab().canvas().setGridShown(on); });
-    connect(actions_->axes, &QAction::triggered, this, [this](bool on) { currentTab().canvas().setAxesShown(on); });
+    connect(actions_->grid, &QAction::triggered, this,
+            [this](bool on) { currentTab().canvas().scene().setGridShown(on); });
+    connect(actions_->axes, &QAction::triggered, this,
+            [this](bool on) { currentTab().canvas().scene().setAxesShown(on); });
     connect(actions_->resetPanels, &QAction::triggered, this, [this] { currentTab().panels().reset(); });
     connect(actions_->showHistory, &QAction::triggered, this, [this] { currentTab().panels().show("history"); });
     connect(actions_->fullScreen, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
@@ -224,8 +226,8 @@ void MainWindow::followTab() {
     CanvasView& canvas = tabs_[sheet]->canvas();
     actions_->editTool->setChecked(canvas.tool() == Tool::edit);
     actions_->addTool->setChecked(canvas.tool() == Tool::add);
-    actions_->grid->setChecked(canvas.isGridShown());
-    actions_->axes->setChecked(canvas.areAxesShown());
+    actions_->grid->setChecked(canvas.scene().isGridShown());
+    actions_->axes->setChecked(canvas.scene().areAxesShown());
     status_->showZoom(canvas.zoomPercent());
     followSelection();
     followHistory();
@@ -247,7 +249,7 @@ void MainWindow::followSelection() {
 
 void MainWindow::showTheme() {
     for (SheetTab* tab : tabs_)
-        tab->canvas().setTheme(surroundings_.theme.isDark() ? Theme::dark : Theme::light);
+        tab->canvas().scene().setTheme(surroundings_.theme.isDark() ? Theme::dark : Theme::light);
 }
 
 void MainWindow::setVisible(bool isVisible) {

@@ -100,13 +100,13 @@ void TabActions::connectCanvas() {
 void TabActions::setSnapping(bool isSnapping) {
     preferences_.setSnapping(isSnapping);
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet)
-        window_.tab(sheet).setSnapping(isSnapping);
+        window_.tab(sheet).input().setSnapping(isSnapping);
 }
 
 void TabActions::setRulersShown(bool areShown) {
     preferences_.setRulersShown(areShown);
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet)
-        window_.tab(sheet).setRulersShown(areShown);
+        window_.tab(sheet).ruledCanvas().setRulersShown(areShown);
 }
 
 void TabActions::follow() {

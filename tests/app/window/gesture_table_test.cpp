@@ -282,23 +282,23 @@ TEST_P(GestureTable, altAloneLeavesTheFocusOnTheCanvas) {
 
 TEST_P(GestureTable, theGhostShowsWhereAPointWouldCome) {
     move(middle());
-    EXPECT_EQ(canvas.ghost(), std::nullopt);
+    EXPECT_EQ(canvas.scene().ghost(), std::nullopt);
     hold(Qt::Key_Control);
     hold(Qt::Key_Alt, Qt::ControlModifier);
-    ASSERT_TRUE(canvas.ghost());
-    const Point ghost = *canvas.ghost();
+    ASSERT_TRUE(canvas.scene().ghost());
+    const Point ghost = *canvas.scene().ghost();
     EXPECT_TRUE(isOnePolynomial() || isNear(ghost, middle()));
     letGo(Qt::Key_Alt, kCtrlAlt);
-    EXPECT_EQ(canvas.ghost(), std::nullopt);
+    EXPECT_EQ(canvas.scene().ghost(), std::nullopt);
     key(Qt::Key_B);
-    EXPECT_EQ(canvas.ghost(), ghost) << "with the tool, before the mouse moves";
+    EXPECT_EQ(canvas.scene().ghost(), ghost) << "with the tool, before the mouse moves";
     const QImage with = canvas.grab().toImage();
     move(kEmptyPlace);
-    EXPECT_EQ(canvas.ghost(), std::nullopt);
+    EXPECT_EQ(canvas.scene().ghost(), std::nullopt);
     EXPECT_NE(canvas.grab().toImage(), with);
     click(middle());
     EXPECT_EQ(pointAt(curve(), tab.editor().selectedPoints().front()), ghost);
-    EXPECT_TRUE(isOnePolynomial() || !canvas.ghost()) << "the pointer is on the new point";
+    EXPECT_TRUE(isOnePolynomial() || !canvas.scene().ghost()) << "the pointer is on the new point";
 }
 
 INSTANTIATE_TEST_SUITE_P(InEachTab, GestureTable, testing::Range<SheetIndex>(0, kSheetCount));

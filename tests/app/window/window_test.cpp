@@ -55,7 +55,7 @@ TEST_P(WindowTest, theGridsButtonFollowsItsKey) {
     const QAction& grid = *window.window.findChild<QAction*>(QStringLiteral("grid"));
     ASSERT_TRUE(grid.isChecked());
     QTest::keyClick(&canvas(), Qt::Key_G);
-    EXPECT_FALSE(canvas().isGridShown());
+    EXPECT_FALSE(canvas().scene().isGridShown());
     EXPECT_FALSE(grid.isChecked());
     QTest::keyClick(&canvas(), Qt::Key_G);
     EXPECT_TRUE(grid.isChecked());

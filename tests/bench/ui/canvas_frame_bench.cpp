@@ -13,27 +13,19 @@
 namespace kriva::ui {
 namespace {
 
-class NoClient : public CanvasClient {
+class NoInput : public CanvasInput {
   public:
-    void addPoint(Point) override {}
-    void addPointOn(GripRef, Point) override {}
-    void insertPoint(Serial, Point) override {}
-    void insertPointBehindSelected() override {}
-    void removePoint(GripRef) override {}
-    void removeSelected(Removal) override {}
-    void retractHandle(GripRef) override {}
-    void select(Selection) override {}
-    void activateCurve(Serial) override {}
-    void explain(const MarkPlace&) override {}
-    void beginDrag(GripRef) override {}
-    void beginAddDrag(Point) override {}
-    void beginInsertDrag(Serial, Point) override {}
-    void beginCurveDrag(Serial, Point) override {}
+    void hover(const PointerEvent&) override {}
+    void click(const PointerEvent&) override {}
+    bool doubleClick(const PointerEvent&) override { return true; }
+    bool beginDrag(const PointerEvent&) override { return true; }
     void drag(Vector, const DragKeys&) override {}
     void endDrag() override {}
     void cancelDrag() override {}
+    void select(Selection) override {}
     void nudge(Vector) override {}
-    void hover(const Hit&, Point, Qt::KeyboardModifiers) override {}
+    void removeSelected(Removal) override {}
+    void insertPoint(std::optional<CurvePlace>) override {}
 };
 
 /// A wave that fills the square from -1 to 1.
@@ -59,26 +51,26 @@ class Canvas {
   public:
     Canvas() { view_.resize(1000, 1000); }
 
-    CanvasView& view() { return view_; }
+    CanvasScene& scene() { return view_.scene(); }
     void paint() { view_.QWidget::render(&image_); }
     void look(double zoom, Point centre = {}) {
         view_.setMapping(zoomedTo({.scale = 1, .centre = centre, .size = {1000, 1000}, .unitScale = 480}, zoom));
     }
 
   private:
-    NoClient client_;
-    CanvasView view_{client_};
+    NoInput input_;
+    CanvasView view_{input_};
     QImage image_{1000, 1000, QImage::Format_RGB32};
 };
 
 void dragFrame(benchmark::State& state) {
     Canvas canvas;
     Points knots = wave(static_cast<int>(state.range(0)));
-    canvas.view().setCurves({test::splineOf(knots)});
+    canvas.scene().setCurves({test::splineOf(knots)});
     canvas.look(1);
     for (auto _ : state) {
         knots[knots.size() / 2].y += 1e-3;
-        canvas.view().updateCurve(test::splineOf(knots));
+        canvas.scene().updateCurve(test::splineOf(knots));
         canvas.paint();
     }
 }
@@ -86,7 +78,7 @@ BENCHMARK(dragFrame)->Arg(4)->Arg(100)->Arg(1'000)->Arg(10'000)->Arg(100'000)->U
 
 void panFrame(benchmark::State& state, Points (*points)(int)) {
     Canvas canvas;
-    canvas.view().setCurves({test::splineOf(points(static_cast<int>(state.range(0))))});
+    canvas.scene().setCurves({test::splineOf(points(static_cast<int>(state.range(0))))});
     double x = 0;
     for (auto _ : state) {
         canvas.look(static_cast<double>(state.range(1)), {x += 1e-3 / static_cast<double>(state.range(1)), 0.1});
@@ -100,7 +92,7 @@ BENCHMARK_CAPTURE(panFrame, scribble, scribble)
 
 void zoomFrame(benchmark::State& state, double zoom) {
     Canvas canvas;
-    canvas.view().setCurves({test::splineOf(scribble(10'000))});
+    canvas.scene().setCurves({test::splineOf(scribble(10'000))});
     double x = 0;
     for (auto _ : state) {
         canvas.look(zoom, {x += 1e-3 / zoom, 0.1});
@@ -121,7 +113,7 @@ void penFrame(benchmark::State& state, Points (*points)(int)) {
     for (Layer& layer : curve.figure.layers)
         for (Stroke& stroke : layer.strokes)
             stroke.style.width = width;
-    canvas.view().setCurves({std::move(curve)});
+    canvas.scene().setCurves({std::move(curve)});
     double x = 0;
     for (auto _ : state) {
         canvas.look(1, {x += 1e-3, 0.1});
@@ -142,7 +134,7 @@ void manyCurves(benchmark::State& state) {
             p.y = p.y / 10 + i / 500.0 - 1;
         curves.push_back(test::splineOf(points, static_cast<Serial>(i) + 1));
     }
-    canvas.view().setCurves(std::move(curves));
+    canvas.scene().setCurves(std::move(curves));
     double x = 0;
     for (auto _ : state) {
         canvas.look(1, {x += 1e-3, 0});
@@ -155,7 +147,7 @@ void highDegree(benchmark::State& state) {
     Canvas canvas;
     const Points points = scribble(static_cast<int>(state.range(0)) + 1);
     double x = 0;
-    canvas.view().setCurves({{1, {{{"curve", {{.path = singleCurve(points)}}}}}, {}, true}});
+    canvas.scene().setCurves({{1, {{{"curve", {{.path = singleCurve(points)}}}}}, {}, true}});
     for (auto _ : state) {
         canvas.look(static_cast<double>(state.range(1)), {x += 1e-3 / static_cast<double>(state.range(1)), 0});
         canvas.paint();
@@ -165,12 +157,12 @@ BENCHMARK(highDegree)->ArgsProduct({{3, 30, 200}, {1, 1'000, 1'000'000}})->Unit(
 
 void hover(benchmark::State& state) {
     Canvas canvas;
-    canvas.view().setCurves({test::splineOf(wave(static_cast<int>(state.range(0))))});
+    canvas.scene().setCurves({test::splineOf(wave(static_cast<int>(state.range(0))))});
     canvas.look(1);
     canvas.paint();
     double x = 0;
     for (auto _ : state)
-        benchmark::DoNotOptimize(canvas.view().hitAt({x += 0.1, 500}));
+        benchmark::DoNotOptimize(canvas.scene().hitAt({x += 0.1, 500}));
 }
 BENCHMARK(hover)->Arg(1'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 

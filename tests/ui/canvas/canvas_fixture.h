@@ -11,34 +11,27 @@
 
 namespace kriva::ui {
 
-/// Notes every wish in a few words, rounded to whole units, and lets the canvas show the selection asked for.
-class RecordingClient : public CanvasClient {
+/// Notes every call in a few words, rounded to whole units, and lets the canvas show the selection asked for.
+class RecordingInput : public CanvasInput {
   public:
-    void addPoint(Point at) override { note(QStringLiteral("add ") + text(at)); }
-    void addPointOn(GripRef grip, Point at) override { note(QStringLiteral("add on %1 ").arg(text(grip)) + text(at)); }
-    void insertPoint(Serial curve, Point at) override { note(QStringLiteral("insert into %1 ").arg(curve) + text(at)); }
-    void insertPointBehindSelected() override { note(QStringLiteral("insert")); }
-    void retractHandle(GripRef handle) override { note(QStringLiteral("retract ") + text(handle)); }
-    void removePoint(GripRef grip) override { note(QStringLiteral("remove ") + text(grip)); }
-    void removeSelected(Removal removal) override {
-        note(removal == Removal::plain ? QStringLiteral("remove selected plainly") : QStringLiteral("remove selected"));
+    void hover(const PointerEvent& now) override {
+        hovered = now.under;
+        hoverModifiers = now.modifiers;
     }
-    void select(Selection selection) override {
-        QString names;
-        for (const GripRef& grip : selection)
-            names += u' ' + text(grip);
-        note(QStringLiteral("select") + names);
-        view->setSelection(std::move(selection));
+    void click(const PointerEvent& press) override {
+        note(press.button == Qt::RightButton ? QStringLiteral("right click ") : QStringLiteral("click "), press);
     }
-    void activateCurve(Serial curve) override { note(QStringLiteral("activate %1").arg(curve)); }
-    void explain(const MarkPlace& mark) override { note(QStringLiteral("explain ") + text(mark.at)); }
-    void beginDrag(GripRef grip) override { note(QStringLiteral("begin ") + text(grip)); }
-    void beginAddDrag(Point at) override { note(QStringLiteral("begin adding ") + text(at)); }
-    void beginInsertDrag(Serial curve, Point at) override {
-        note(QStringLiteral("begin inserting %1 ").arg(curve) + text(at));
+    bool doubleClick(const PointerEvent& press) override {
+        if (press.under.grip)
+            return false;
+        note(QStringLiteral("double click "), press);
+        return true;
     }
-    void beginCurveDrag(Serial curve, Point at) override {
-        note(QStringLiteral("begin curve %1 ").arg(curve) + text(at));
+    bool beginDrag(const PointerEvent& press) override {
+        if (!press.under.grip || press.with(Qt::AltModifier))
+            return false;
+        note(QStringLiteral("begin "), press);
+        return true;
     }
     void drag(Vector by, const DragKeys& keys) override {
         note(QStringLiteral("drag ") + text({by.x, by.y}));
@@ -46,10 +39,20 @@ class RecordingClient : public CanvasClient {
     }
     void endDrag() override { note(QStringLiteral("end")); }
     void cancelDrag() override { note(QStringLiteral("cancel")); }
+    void select(Selection selection) override {
+        QString names;
+        for (const GripRef& grip : selection)
+            names += u' ' + text(grip);
+        note(QStringLiteral("select") + names);
+        view->scene().setSelection(std::move(selection));
+    }
     void nudge(Vector by) override { note(QStringLiteral("nudge ") + text({by.x, by.y})); }
-    void hover(const Hit& under, Point, Qt::KeyboardModifiers modifiers) override {
-        hovered = under;
-        hoverModifiers = modifiers;
+    void removeSelected(Removal removal) override {
+        note(removal == Removal::plain ? QStringLiteral("remove selected plainly") : QStringLiteral("remove selected"));
+    }
+    void insertPoint(std::optional<CurvePlace> place) override {
+        note(place ? QStringLiteral("insert into %1 ").arg(place->curve) + text(place->near)
+                   : QStringLiteral("insert"));
     }
 
     CanvasView* view = nullptr;
@@ -59,7 +62,14 @@ class RecordingClient : public CanvasClient {
     Qt::KeyboardModifiers hoverModifiers;
 
   private:
-    void note(const QString& wish) { log.append(wish); }
+    void note(const QString& call) { log.append(call); }
+    /// Where, and on what: a grip, a curve, a mark.
+    void note(const QString& call, const PointerEvent& event) {
+        const auto& [grip, curve, mark] = event.under;
+        note(call + text(event.at) + (grip ? QStringLiteral(" on ") + text(*grip) : QString()) +
+             (curve ? QStringLiteral(" on %1").arg(*curve) : QString()) +
+             (mark ? QStringLiteral(" on mark ") + text(mark->at) : QString()));
+    }
     static QString text(Point p) { return QStringLiteral("%1,%2").arg(qRound(p.x)).arg(qRound(p.y)); }
     static QString text(const GripRef& grip) {
         const QString handle = grip.id.kind == GripKind::point ? QString() : QStringLiteral("h");
@@ -67,32 +77,21 @@ class RecordingClient : public CanvasClient {
     }
 };
 
-/// A canvas of 400 x 400 pixels with the origin in its middle, a unit to a pixel, and one parabola: points 1:0, 1:1,
-/// 1:2 at (-100, 0), (0, 100), (100, 0), the curve's top at (0, 50), and a handle 1h:0 at (-100, -60).
-class CanvasTest : public ::testing::Test {
+/// Sends a canvas the events that the system would, at places of the document.
+class CanvasEvents {
   protected:
-    CanvasTest()
-        : view(client) {
-        client.view = &view;
+    explicit CanvasEvents(CanvasView& canvas)
+        : view(canvas) {}
+
+    /// 400 x 400 pixels with the origin in the middle, a unit to a pixel, in the active window.
+    void show() {
         view.resize(400, 400);
-        view.setCurves({parabola()});
         view.show();
         view.activateWindow();
         EXPECT_TRUE(QTest::qWaitForWindowActive(&view));
         view.setFocus();
         view.setMapping({.scale = 1, .centre = {}, .size = QSizeF(view.viewport()->size()), .unitScale = 1});
     }
-
-    static CanvasCurve parabola() {
-        const Points points{{-100, 0}, {0, 100}, {100, 0}};
-        CanvasCurve curve{1, {{{"curve", {{.path = singleCurve(points)}}}}}, {}, true};
-        for (int i = 0; i < 3; ++i)
-            curve.grips.push_back({point(i).id, points[static_cast<std::size_t>(i)]});
-        curve.grips.push_back({{GripKind::outHandle, 0, 0}, {-100, -60}});
-        return curve;
-    }
-    static GripRef point(int index) { return {1, {GripKind::point, index, 0}}; }
-
     void press(Point at, Qt::KeyboardModifiers modifiers = {}, Qt::MouseButton button = Qt::LeftButton) {
         buttons |= button;
         send(QEvent::MouseButtonPress, at, button, modifiers);
@@ -135,12 +134,39 @@ class CanvasTest : public ::testing::Test {
         QKeyEvent event(type, key, modifiers);
         QApplication::sendEvent(&view, &event);
     }
-    /// What was wished since the last time.
-    QStringList wishes() { return std::exchange(client.log, {}); }
 
-    RecordingClient client;
-    CanvasView view;
+    CanvasView& view;
     Qt::MouseButtons buttons;
+};
+
+struct RecordedCanvas {
+    RecordingInput input;
+    CanvasView canvas{input};
+};
+
+/// A canvas with one parabola: points 1:0, 1:1, 1:2 at (-100, 0), (0, 100), (100, 0), the curve's top at (0, 50), and a
+/// handle 1h:0 at (-100, -60).
+class CanvasTest : public ::testing::Test, protected RecordedCanvas, protected CanvasEvents {
+  protected:
+    CanvasTest()
+        : CanvasEvents(canvas) {
+        input.view = &view;
+        view.scene().setCurves({parabola()});
+        show();
+    }
+
+    static CanvasCurve parabola() {
+        const Points points{{-100, 0}, {0, 100}, {100, 0}};
+        CanvasCurve curve{1, {{{"curve", {{.path = singleCurve(points)}}}}}, {}, true};
+        for (int i = 0; i < 3; ++i)
+            curve.grips.push_back({point(i).id, points[static_cast<std::size_t>(i)]});
+        curve.grips.push_back({{GripKind::outHandle, 0, 0}, {-100, -60}});
+        return curve;
+    }
+    static GripRef point(int index) { return {1, {GripKind::point, index, 0}}; }
+
+    /// Since the last time.
+    QStringList calls() { return std::exchange(input.log, {}); }
 };
 
 /// Lists that read well in a test's failure.

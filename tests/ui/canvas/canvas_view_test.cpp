@@ -16,18 +16,20 @@ const Points kCurve{{-3, 1}, {9, 7.3}, {-6.1, 8}, {2.2, -5}};
 class Canvas : public ::testing::Test {
   protected:
     Canvas()
-        : view(client) {
-        client.view = &view;
+        : view(input) {
+        input.view = &view;
         QPalette paper;
         paper.setColor(QPalette::Base, Qt::white);
         paper.setColor(QPalette::Text, Qt::black);
         view.setPalette(paper);
         view.resize(300, 300);
-        view.setGridShown(false);
-        view.setAxesShown(false);
+        view.scene().setGridShown(false);
+        view.scene().setAxesShown(false);
         show(kCurve);
     }
-    void show(const Points& curve) { view.setCurves({{1, {{{"curve", {{.path = singleCurve(curve)}}}}}, {}, true}}); }
+    void show(const Points& curve) {
+        view.scene().setCurves({{1, {{{"curve", {{.path = singleCurve(curve)}}}}}, {}, true}});
+    }
     /// Around the curve's point at t.
     void lookAt(double t, double zoom) {
         view.setMapping(
@@ -74,7 +76,7 @@ class Canvas : public ::testing::Test {
         return nearest;
     }
 
-    RecordingClient client;
+    RecordingInput input;
     CanvasView view;
 };
 
@@ -104,7 +106,7 @@ TEST_F(Canvas, aCurveOfManyPointsIsDrawnToItsEndInOneColour) {
     Points circle;
     for (int i = 0; i <= 5'000; ++i)
         circle.push_back({100 * std::cos(i * 1e-3), 100 * std::sin(i * 1e-3)});
-    view.setCurves({{1, {{{"curve", {{.path = polyline(circle)}}}}}, {}, true}});
+    view.scene().setCurves({{1, {{{"curve", {{.path = polyline(circle)}}}}}, {}, true}});
     view.setMapping({.scale = 1, .centre = {}, .size = {300, 300}});
     const QImage image = rendered();
     for (int i = 20; i < 4'980; i += 7) { // its ends are cut off flat
@@ -115,7 +117,7 @@ TEST_F(Canvas, aCurveOfManyPointsIsDrawnToItsEndInOneColour) {
 }
 
 TEST_F(Canvas, marksStandOnTheirPointsWithTheSameSizeAtEveryZoom) {
-    view.setCurves({{1, {{{"points", {}, {{{{0, 0}}, Role::curvePoint}}}}}, {}, true}});
+    view.scene().setCurves({{1, {{{"points", {}, {{{{0, 0}}, Role::curvePoint}}}}}, {}, true}});
     for (const double zoom : {1e-3, 1.0, 1e5}) {
         view.setMapping(zoomedTo({.scale = 1, .centre = {0, 0}, .size = {300, 300}, .unitScale = 25}, zoom));
         QRect mark;
@@ -132,21 +134,22 @@ TEST_F(Canvas, marksStandOnTheirPointsWithTheSameSizeAtEveryZoom) {
 TEST_F(Canvas, updatingACurveChangesWhatIsDrawn) {
     lookAt(0.5, 1);
     const QImage before = rendered();
-    view.updateCurve({1, {{{"curve", {{.path = singleCurve(Points{{-3, 0}, {3, 1}})}}}}}, {}, true});
+    view.scene().updateCurve({1, {{{"curve", {{.path = singleCurve(Points{{-3, 0}, {3, 1}})}}}}}, {}, true});
     EXPECT_NE(rendered(), before);
-    view.updateCurve({1, {{{"curve", {{.path = singleCurve(kCurve)}}}}}, {}, true});
+    view.scene().updateCurve({1, {{{"curve", {{.path = singleCurve(kCurve)}}}}}, {}, true});
     EXPECT_EQ(rendered(), before);
 }
 
 TEST_F(Canvas, selectedAndHoveredGripsLookDifferent) {
     CanvasCurve curve{1, {}, {{{GripKind::point, 0, 0}, {0, 0}}}, true};
-    view.setCurves({curve});
+    view.scene().setCurves({curve});
     view.setMapping({.scale = 1, .centre = {}, .size = {300, 300}});
     const QImage normal = rendered();
-    view.setSelection({{1, {GripKind::point, 0, 0}}});
+    view.scene().setSelection({{1, {GripKind::point, 0, 0}}});
     const QImage selected = rendered();
-    view.setSelection({});
-    view.hover({150, 150}, {});
+    view.scene().setSelection({});
+    QMouseEvent move(QEvent::MouseMove, {150, 150}, {150, 150}, Qt::NoButton, {}, {});
+    QApplication::sendEvent(view.viewport(), &move);
     const QImage hovered = rendered();
     EXPECT_NE(normal, selected);
     EXPECT_NE(normal, hovered);
@@ -154,18 +157,18 @@ TEST_F(Canvas, selectedAndHoveredGripsLookDifferent) {
 }
 
 TEST_F(Canvas, gridAndAxesAreShownWhenAsked) {
-    view.setCurves({});
+    view.scene().setCurves({});
     view.setMapping({.scale = 1, .centre = {30, 40}, .size = {300, 300}});
     const QImage empty = rendered();
-    view.setGridShown(true);
+    view.scene().setGridShown(true);
     const QImage grid = rendered();
-    view.setAxesShown(true);
+    view.scene().setAxesShown(true);
     EXPECT_NE(grid, empty);
     EXPECT_NE(rendered(), grid);
 }
 
 TEST_F(Canvas, numbersOfTheAxesFollowTheLanguage) {
-    view.setAxesShown(true);
+    view.scene().setAxesShown(true);
     view.setMapping({.scale = 200, .centre = {}, .size = {300, 300}}); // numbers with decimals
     const QImage english = rendered();
     QLocale::setDefault(QLocale(QLocale::Slovenian));
@@ -181,13 +184,13 @@ TEST_F(Canvas, manyLabelsAreLeftOut) {
         Layer layer{"labels"};
         for (int i = 0; i < count; ++i)
             layer.labels.push_back({{i % 20 * 10.0, i / 20 * 10.0}, Caption::none, "b", {}});
-        view.setCurves({{1, {{layer}}, {}, true}});
+        view.scene().setCurves({{1, {{layer}}, {}, true}});
         view.setMapping({.scale = 1, .centre = {100, 100}, .size = {300, 300}});
         return rendered();
     };
     const QImage few = labelled(10);
     const QImage many = labelled(201);
-    view.setCurves({});
+    view.scene().setCurves({});
     EXPECT_NE(few, rendered());
     EXPECT_EQ(many, rendered());
 }
@@ -196,7 +199,7 @@ TEST_F(Canvas, crowdedFiguresAreDrawnWithFewerPoints) {
     Points scribble;
     for (int i = 0; i < 100'000; ++i)
         scribble.push_back({100 * std::sin(i * 0.001), 100 * std::cos(i * 0.0013)});
-    view.setCurves({{1, {{{"curve", {{.path = polyline(scribble)}}}}}, {}, true}});
+    view.scene().setCurves({{1, {{{"curve", {{.path = polyline(scribble)}}}}}, {}, true}});
     view.setMapping({.scale = 1, .centre = {}, .size = {300, 300}});
     EXPECT_FALSE(inked(rendered()).empty());
 }
@@ -215,11 +218,11 @@ TEST_F(Canvas, marksOfManyCurvesTakeNoRoomFromTheirLines) {
         curves.push_back({static_cast<Serial>(i + 1), figure, {}, false});
     }
     const auto linesOf = [&] {
-        view.setCurves(curves);
+        view.scene().setCurves(curves);
         view.setMapping({.scale = 1, .centre = {}, .size = {300, 300}});
         rendered();
         qsizetype lines = 0;
-        for (const HitTarget& target : view.curves().targets())
+        for (const HitTarget& target : view.scene().curves().targets())
             for (const QPolygonF& polyline : target.lines)
                 lines += polyline.size() - 1;
         return lines;

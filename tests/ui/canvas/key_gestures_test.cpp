@@ -12,38 +12,38 @@ class KeyGesture : public CanvasTest {};
 
 TEST_F(KeyGesture, deleteRemovesTheSelection) {
     key(Qt::Key_Delete);
-    EXPECT_EQ(wishes(), QStringList()) << "nothing is selected";
-    view.setSelection({point(1)});
+    EXPECT_EQ(calls(), QStringList()) << "nothing is selected";
+    view.scene().setSelection({point(1)});
     key(Qt::Key_Delete);
     key(Qt::Key_Backspace);
     key(Qt::Key_Delete, Qt::ControlModifier);
-    EXPECT_EQ(wishes(), list({"remove selected", "remove selected", "remove selected plainly"}));
+    EXPECT_EQ(calls(), list({"remove selected", "remove selected", "remove selected plainly"}));
 }
 
 TEST_F(KeyGesture, arrowsNudgeByOneStepTenStepsOrOnePixel) {
     key(Qt::Key_Right);
-    EXPECT_EQ(wishes(), QStringList()) << "nothing is selected";
-    view.setSelection({point(1)});
+    EXPECT_EQ(calls(), QStringList()) << "nothing is selected";
+    view.scene().setSelection({point(1)});
     key(Qt::Key_Right); // the grid's step is 20 units at a pixel to a unit
     key(Qt::Key_Up, Qt::ShiftModifier);
     key(Qt::Key_Down, Qt::AltModifier);
     key(Qt::Key_Left, Qt::KeypadModifier);
-    EXPECT_EQ(wishes(), list({"nudge 20,0", "nudge 0,200", "nudge 0,-1", "nudge -20,0"}));
+    EXPECT_EQ(calls(), list({"nudge 20,0", "nudge 0,200", "nudge 0,-1", "nudge -20,0"}));
 }
 
 TEST_F(KeyGesture, escEndsTheAddToolThenTheSelection) {
-    view.setSelection({point(1)});
+    view.scene().setSelection({point(1)});
     view.setTool(Tool::add);
     key(Qt::Key_Escape);
     EXPECT_EQ(view.tool(), Tool::edit);
-    EXPECT_EQ(wishes(), QStringList());
+    EXPECT_EQ(calls(), QStringList());
     key(Qt::Key_Escape);
-    EXPECT_EQ(wishes(), list({"select"}));
+    EXPECT_EQ(calls(), list({"select"}));
 }
 
 TEST_F(KeyGesture, singleKeysChooseToolsGridAndView) {
     QSignalSpy tools(&view, &CanvasView::toolChanged);
-    QSignalSpy grids(&view, &CanvasView::gridShownChanged);
+    QSignalSpy grids(&view.scene(), &CanvasScene::gridShownChanged);
     key(Qt::Key_B);
     EXPECT_EQ(view.tool(), Tool::add);
     key(Qt::Key_V);
@@ -53,9 +53,9 @@ TEST_F(KeyGesture, singleKeysChooseToolsGridAndView) {
     EXPECT_EQ(view.tool(), Tool::edit);
     EXPECT_EQ(tools.size(), 4);
     key(Qt::Key_G);
-    EXPECT_FALSE(view.isGridShown());
+    EXPECT_FALSE(view.scene().isGridShown());
     EXPECT_EQ(grids.size(), 1);
-    view.setSelection({point(1), point(2)});
+    view.scene().setSelection({point(1), point(2)});
     key(Qt::Key_3);
     EXPECT_EQ(view.mapping().centre, (Point{50, 50}));
 }
@@ -77,18 +77,18 @@ TEST_F(KeyGesture, insertGoesWhereThePointerIsOnACurveElseToTheSelection) {
     key(Qt::Key_Insert);
     move({0, -100});
     key(Qt::Key_Insert);
-    EXPECT_EQ(wishes(), list({"insert", "insert into 1 0,50", "insert"}));
+    EXPECT_EQ(calls(), list({"insert", "insert into 1 0,50", "insert"}));
 }
 
 TEST_F(KeyGesture, keysWaitWhileAButtonIsDown) {
-    view.setSelection({point(1)});
+    view.scene().setSelection({point(1)});
     press({0, 100});
     move({0, 120});
-    wishes();
+    calls();
     key(Qt::Key_Delete);
     key(Qt::Key_Left);
     key(Qt::Key_Tab);
-    EXPECT_EQ(wishes(), QStringList());
+    EXPECT_EQ(calls(), QStringList());
     release({0, 120});
 }
 
@@ -135,21 +135,21 @@ class KeyWalk : public CanvasTest {
 TEST_F(KeyWalk, tabWalksThroughThePointsAndLeavesPastTheLast) {
     for (int i = 0; i < 3; ++i)
         key(Qt::Key_Tab);
-    EXPECT_EQ(wishes(), list({"select 1:0", "select 1:1", "select 1:2"}));
+    EXPECT_EQ(calls(), list({"select 1:0", "select 1:1", "select 1:2"}));
     EXPECT_TRUE(view.hasFocus());
     key(Qt::Key_Tab);
     EXPECT_TRUE(after->hasFocus());
-    EXPECT_EQ(wishes(), QStringList());
+    EXPECT_EQ(calls(), QStringList());
 
     view.setFocus();
     key(Qt::Key_Tab);
-    EXPECT_EQ(wishes(), list({"select 1:0"})) << "the next walk starts anew";
+    EXPECT_EQ(calls(), list({"select 1:0"})) << "the next walk starts anew";
 }
 
 TEST_F(KeyWalk, shiftTabWalksBackwards) {
-    view.setSelection({point(1)});
+    view.scene().setSelection({point(1)});
     key(Qt::Key_Backtab, Qt::ShiftModifier);
-    EXPECT_EQ(wishes(), list({"select 1:0"}));
+    EXPECT_EQ(calls(), list({"select 1:0"}));
     key(Qt::Key_Backtab, Qt::ShiftModifier);
     EXPECT_TRUE(before->hasFocus());
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/canvas/canvas_view.h"
+#include "ui/canvas/canvas_input.h"
 
 namespace kriva::ui {
 

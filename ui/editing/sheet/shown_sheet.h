@@ -20,6 +20,7 @@ class ShownSheet : public QObject {
     [[nodiscard]] const Sheet& sheet() const { return document_.sheet(index_); }
     [[nodiscard]] SheetIndex index() const { return index_; }
     [[nodiscard]] Serial activeSerial() const { return document_.activeCurve(index_); }
+    void activate(Serial serial) { document_.setActiveCurve(index_, serial); }
     /// Null in an empty sheet.
     [[nodiscard]] const Curve* activeCurve() const { return document_.find(index_, activeSerial()); }
 

@@ -28,12 +28,12 @@ class Ink : public testing::TestWithParam<InkCase> {
   protected:
     Ink() {
         view.resize(600, 400);
-        view.setGridShown(false);
-        view.setAxesShown(false);
+        view.scene().setGridShown(false);
+        view.scene().setAxesShown(false);
         CanvasCurve curve;
         curve.serial = 1;
         curve.figure = {{{"curve", {{.path = singleCurve(GetParam().curve)}}}}};
-        view.setCurves({std::move(curve)});
+        view.scene().setCurves({std::move(curve)});
     }
     /// The curve around t, so many pixels to a unit.
     QImage shown(double scale, double ratio) {
@@ -51,8 +51,8 @@ class Ink : public testing::TestWithParam<InkCase> {
         return nearest(GetParam().curve, view.mapping().toDocument(pixel)).distance * view.mapping().scale;
     }
 
-    RecordingClient client;
-    CanvasView view{client};
+    RecordingInput input;
+    CanvasView view{input};
     const double halfPen = styleOf(Role::curve, 0, Theme::light).width * kPixelsPerPoint / 2;
 };
 

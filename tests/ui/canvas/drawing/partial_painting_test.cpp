@@ -31,14 +31,14 @@ struct Case {
 class PartialPainting : public ::testing::TestWithParam<Case> {
   protected:
     PartialPainting() {
-        client.view = &view;
+        input.view = &view;
         view.resize(400, 300);
         view.show();
         for (int i = 0; i < GetParam().count; ++i) {
             const double t = 2.0 * i / (GetParam().count - 1) - 1;
             knots.push_back({t, 0.7 * std::sin(12 * t)});
         }
-        view.setCurves({curve()});
+        view.scene().setCurves({curve()});
         view.setMapping(zoomedTo({.scale = 1, .centre = {}, .size = {400, 300}, .unitScale = 180}, 1));
         QTest::qWait(0);
         QCoreApplication::processEvents();
@@ -51,8 +51,8 @@ class PartialPainting : public ::testing::TestWithParam<Case> {
     }
     QImage painted() { return view.grab().toImage().convertToFormat(QImage::Format_RGB32); }
 
-    RecordingClient client;
-    CanvasView view{client};
+    RecordingInput input;
+    CanvasView view{input};
     Points knots;
 };
 
@@ -72,16 +72,16 @@ TEST_P(PartialPainting, ofMovesLeavesWhatPaintingAllGives) {
     EXPECT_EQ(differing(onScreen(), painted()), QRect());
     const QImage before = painted();
     const std::size_t moved = knots.size() / 3;
-    view.setSelection({{1, {GripKind::point, static_cast<int>(moved)}}});
+    view.scene().setSelection({{1, {GripKind::point, static_cast<int>(moved)}}});
     for (int move = 1; move <= 12; ++move) {
         knots[moved] = knots[moved] + Vector{0.013 * move, 0.11 - 0.02 * move};
-        view.updateCurve(curve());
-        view.showSnap(move % 3 == 0 ? std::optional(Snap{knots[moved], SnapKind::point}) : std::nullopt);
-        view.setGhost(move % 4 == 0 ? std::optional(knots[0]) : std::nullopt);
+        view.scene().updateCurve(curve());
+        view.scene().setSnap(move % 3 == 0 ? std::optional(Snap{knots[moved], SnapKind::point}) : std::nullopt);
+        view.scene().setGhost(move % 4 == 0 ? std::optional(knots[0]) : std::nullopt);
         ASSERT_EQ(differing(onScreen(), painted()), QRect()) << move;
     }
     EXPECT_NE(before, painted());
-    view.setSelection({});
+    view.scene().setSelection({});
     EXPECT_EQ(differing(onScreen(), painted()), QRect());
 }
 
