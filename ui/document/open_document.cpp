@@ -145,7 +145,7 @@ std::optional<Serial> OpenDocument::beginGestureWithNew(SheetIndex sheet, int in
         return {};
     const Serial serial = present_.newSerial();
     gesture_ = Gesture{.sheet = sheet, .serial = serial, .label = label, .isNew = true};
-    exchange(sheet, serial, PlacedCurve{std::move(curve), index});
+    exchange(sheet, only({serial, PlacedCurve{std::move(curve), index}}));
     setActiveCurve(sheet, serial);
     return serial;
 }
@@ -182,7 +182,7 @@ void OpenDocument::cancelGesture() {
         return;
     Gesture gesture = *std::exchange(gesture_, std::nullopt);
     if (gesture.isNew)
-        exchange(gesture.sheet, gesture.serial, std::nullopt);
+        exchange(gesture.sheet, only({gesture.serial, std::nullopt}));
     else if (gesture.start && *find(gesture.sheet, gesture.serial) != *gesture.start)
         put(gesture.sheet, gesture.serial, std::move(*gesture.start));
 }
@@ -210,19 +210,7 @@ void OpenDocument::push(SheetIndex sheet, std::vector<CurveExchange> others, con
     tellModified();
 }
 
-std::optional<PlacedCurve> OpenDocument::exchange(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other) {
-    const int newIndex = other ? other->index : -1;
-    std::optional<PlacedCurve> before = present_.exchange(sheet, serial, std::move(other));
-    if (before && before->index == newIndex)
-        Q_EMIT curveChanged(sheet, serial);
-    else
-        Q_EMIT curvesChanged(sheet);
-    return before;
-}
-
 std::vector<CurveExchange> OpenDocument::exchange(SheetIndex sheet, std::vector<CurveExchange> others) {
-    if (others.size() == 1)
-        return only({others[0].serial, exchange(sheet, others[0].serial, std::move(others[0].other))});
     std::vector<Serial> changed;
     for (CurveExchange& one : others) {
         const bool stays = one.other && indexOf(sheet, one.serial) == one.other->index;
@@ -232,7 +220,8 @@ std::vector<CurveExchange> OpenDocument::exchange(SheetIndex sheet, std::vector<
     }
     for (const Serial serial : changed)
         Q_EMIT curveChanged(sheet, serial);
-    Q_EMIT curvesChanged(sheet);
+    if (changed.size() < others.size())
+        Q_EMIT curvesChanged(sheet);
     std::ranges::reverse(others); // the last change is the first to be taken back
     return others;
 }

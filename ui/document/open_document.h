@@ -122,9 +122,7 @@ class OpenDocument : public QObject {
         if (std::exchange(present_.view(sheet).*member, value) != value)
             Q_EMIT viewChanged(sheet);
     }
-    /// As SerialDocument does, and tells.
-    std::optional<PlacedCurve> exchange(SheetIndex sheet, Serial serial, std::optional<PlacedCurve> other);
-    /// The same with several curves, told once; gives what takes it back.
+    /// As SerialDocument does, told once for all of them; gives what takes it back.
     std::vector<CurveExchange> exchange(SheetIndex sheet, std::vector<CurveExchange> others);
     void push(SheetIndex sheet, std::vector<CurveExchange> others, const StepLabel& label);
     /// Whether it may stand in a sheet with these curves, in place of one of them or besides; tells where not.
