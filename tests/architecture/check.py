@@ -3,9 +3,10 @@
 banned.txt what is never called. Also that neither files nor the folders of a room include each other in a ring, and
 that includes are written from the project's folder.
 
-    check.py [FOLDER]     the project's folder
-
-One line for each fault; exit code 1 if there is one."""
+    check.py [FOLDER]            the project's folder; one line for each fault, exit code 1 if there is one
+    check.py --rooms [FOLDER]    what each room includes, and how many rooms, arrows and rings there are; exit code 1
+                                 if there is a ring of folders"""
+import argparse
 import fnmatch
 import pathlib
 import re
@@ -98,6 +99,31 @@ def ring_faults(files, heights):
             yield f"ring of {kind}: {ring}"
 
 
+def arrows(files, places):
+    """Which places include which others; `places` gives that of a path, or nothing."""
+    graph = {place: set() for place in map(places, files) if place}
+    for path, text in files.items():
+        for name in quoted_includes(text):
+            start, end = places(path), places(name)
+            if name in files and start and end and start != end:
+                graph[start].add(end)
+    return {place: sorted(graph[place]) for place in graph}
+
+
+def room_lines(files, heights):
+    """The house in words, and its rings."""
+    rooms = arrows(files, lambda path: room_of(path, heights))
+    for room in sorted(rooms, key=lambda room: (-heights[room], list(heights).index(room))):
+        below = sorted(rooms[room], key=lambda other: -heights[other])
+        yield f"{room} -> {', '.join(below) or 'nothing'}"
+    folders = arrows(files, folder_of)
+    found = list(rings(folders))
+    yield from (f"ring: {ring}" for ring in found)
+    for kind, graph in (("rooms", rooms), ("folders", folders)):
+        yield f"{len(graph)} {kind}, {sum(map(len, graph.values()))} arrows between them"
+    yield f"{len(found)} rings"
+
+
 def fits(path, pattern):
     """Whether the pattern names the file or a folder above it."""
     return fnmatch.fnmatchcase(path, pattern) or fnmatch.fnmatchcase(path, pattern + "/*")
@@ -128,8 +154,15 @@ def sources(root):
 
 
 def main():
-    root = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else HERE.parent.parent
-    files, heights = sources(root), floors((HERE / "floors.txt").read_text(encoding="utf-8"))
+    options = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    options.add_argument("--rooms", action="store_true", help="tell what each room includes")
+    options.add_argument("folder", nargs="?", type=pathlib.Path, default=HERE.parent.parent)
+    given = options.parse_args()
+    files, heights = sources(given.folder), floors((HERE / "floors.txt").read_text(encoding="utf-8"))
+    if given.rooms:
+        lines = list(room_lines(files, heights))
+        print(*lines, sep="\n")
+        return 0 if files and lines[-1] == "0 rings" else 1
     faults = [*room_faults(files, heights), *include_faults(files, heights), *ring_faults(files, heights),
               *banned_faults(files, (HERE / "banned.txt").read_text(encoding="utf-8"))]
     print(*faults, f"{len(files)} sources, {len(faults)} faults", sep="\n")

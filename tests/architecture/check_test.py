@@ -116,6 +116,35 @@ class Rings(unittest.TestCase):
                          ["ui/canvas/list.h: includes ui/panels/panel.h, and ui/panels stands above ui/canvas"])
 
 
+class House(unittest.TestCase):
+    def test_arrows_are_told_once_and_between_rooms_alone(self):
+        twice = {**CLEAN, "ui/panels/list.h": '#include "ui/canvas/view.h"\n#include "ui/panels/panel.h"'}
+        rooms = check.arrows(twice, lambda path: check.room_of(path, HEIGHTS))
+        self.assertEqual(rooms["ui/panels"], ["ui/canvas"])
+        self.assertEqual(rooms["ui/canvas"], ["core/sheets/spline"])
+        self.assertEqual(rooms["core/sheets/spline"], ["core/geometry", "core/numbers"])
+        self.assertEqual(rooms["core/geometry"], [])
+
+    def test_the_house_is_told_from_the_top_with_its_numbers(self):
+        lines = list(check.room_lines(CLEAN, HEIGHTS))
+        self.assertEqual(lines[0], "app -> ui/panels")
+        self.assertIn("core/sheets/spline -> core/geometry, core/numbers", lines)
+        self.assertIn("core/geometry -> nothing", lines)
+        self.assertEqual(lines[-3:], ["8 rooms, 7 arrows between them", "11 folders, 10 arrows between them", "0 rings"])
+
+    def test_rings_are_told_and_counted(self):
+        ring = {**CLEAN, "ui/canvas/base/grid.h": '#include "ui/canvas/drawing/stroke.h"'}
+        lines = list(check.room_lines(ring, HEIGHTS))
+        self.assertIn("ring: ui/canvas/drawing -> ui/canvas/base -> ui/canvas/drawing", lines)
+        self.assertEqual(lines[-1], "1 rings")
+
+    def test_the_projects_own_house_has_no_ring(self):
+        files = check.sources(check.HERE.parent.parent)
+        own = check.floors((check.HERE / "floors.txt").read_text(encoding="utf-8"))
+        self.assertGreater(len(files), 100)
+        self.assertEqual(list(check.room_lines(files, own))[-1], "0 rings")
+
+
 class Banned(unittest.TestCase):
     def faults(self, text, path="ui/panels/field.cpp"):
         return list(check.banned_faults({path: text}, BANNED))

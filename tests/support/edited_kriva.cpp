@@ -1,4 +1,4 @@
-// The editor with somebody at work in it, for ending_test: a process of its own, since it is to be killed.
+// The editor with somebody at work in it, for end_signals_test: a process of its own, since it is to be killed.
 //   edited_kriva HOW QUIET LONGEST [FILE...]     QUIET, LONGEST: milliseconds, see RecoveryTiming
 // HOW is what is going on when it ends:
 //   edit      the first point moves, again and again, each time as a step

@@ -1,4 +1,4 @@
-// Saves a file under a fault, for safe_write_test and recovery_faults_test: a process of its own, since the fault may
+// Saves a file under a fault, for safe_write_test and recovery_files_test: a process of its own, since the fault may
 // be a kill.
 //   save_once PATH SIZE unnamed|named|recovery KIND CALL ERRNO LASTING
 //       writes version 1 in the place of version 0, `named` as where no files without a name are, `recovery` as unsaved

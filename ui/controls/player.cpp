@@ -14,13 +14,6 @@
 #include <algorithm>
 
 namespace kriva::ui {
-namespace {
-
-int interval(double stagesPerSecond) {
-    return static_cast<int>(1000 / stagesPerSecond);
-}
-
-} // namespace
 
 Player::Player(QWidget* parent)
     : QFrame(parent)
@@ -35,6 +28,39 @@ Player::Player(QWidget* parent)
     , scrubber_(new QSlider(Qt::Horizontal, this))
     , speed_(new PlainLabel(this))
     , stageText_(new PlainLabel(this)) {
+    layOut();
+    back_->setIcon(icon(IconName::StepBack));
+    forward_->setIcon(icon(IconName::StepForward));
+    slower_->setIcon(icon(IconName::Slower));
+    faster_->setIcon(icon(IconName::Faster));
+    loop_->setIcon(icon(IconName::Loop));
+    loop_->setCheckable(true);
+    keep_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    keep_->setAutoRaise(false);
+    speed_->setAlignment(Qt::AlignCenter);
+    scrubber_->installEventFilter(this);
+    takeWheelWithFocusOnly(*scrubber_);
+    scrubber_->setObjectName(QStringLiteral("scrubber"));
+    setFocusPolicy(Qt::StrongFocus);
+    timer_.setInterval(clock_.interval());
+
+    connect(&timer_, &QTimer::timeout, this, &Player::tick);
+    connect(play_, &QToolButton::clicked, this, &Player::toggle);
+    connect(back_, &QToolButton::clicked, this, [this] { goTo(clock_.stage - 1); });
+    connect(forward_, &QToolButton::clicked, this, [this] { goTo(clock_.stage + 1); });
+    connect(slower_, &QToolButton::clicked, this, [this] { setSpeed(clock_.speed / 2); });
+    connect(faster_, &QToolButton::clicked, this, [this] { setSpeed(clock_.speed * 2); });
+    connect(direction_, &QToolButton::clicked, this, [this] {
+        clock_.direction = static_cast<PlayDirection>((static_cast<int>(clock_.direction) + 1) % 3);
+        retranslateUi();
+    });
+    connect(loop_, &QToolButton::toggled, this, [this](bool on) { clock_.isLooping = on; });
+    connect(scrubber_, &QSlider::valueChanged, this, &Player::goTo);
+    connect(keep_, &QToolButton::clicked, this, &Player::keepRequested);
+    retranslateUi();
+}
+
+void Player::layOut() {
     auto* layout = new QGridLayout(this);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(0);
@@ -53,35 +79,6 @@ Player::Player(QWidget* parent)
     below->addWidget(stageText_, 1);
     below->addWidget(keep_);
     layout->addLayout(below, 2, 0);
-    back_->setIcon(icon(IconName::StepBack));
-    forward_->setIcon(icon(IconName::StepForward));
-    slower_->setIcon(icon(IconName::Slower));
-    faster_->setIcon(icon(IconName::Faster));
-    loop_->setIcon(icon(IconName::Loop));
-    loop_->setCheckable(true);
-    keep_->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    keep_->setAutoRaise(false);
-    speed_->setAlignment(Qt::AlignCenter);
-    scrubber_->installEventFilter(this);
-    takeWheelWithFocusOnly(*scrubber_);
-    scrubber_->setObjectName(QStringLiteral("scrubber"));
-    setFocusPolicy(Qt::StrongFocus);
-    timer_.setInterval(interval(pace_ * speedFactor_));
-
-    connect(&timer_, &QTimer::timeout, this, &Player::tick);
-    connect(play_, &QToolButton::clicked, this, &Player::toggle);
-    connect(back_, &QToolButton::clicked, this, [this] { goTo(clock_.stage - 1); });
-    connect(forward_, &QToolButton::clicked, this, [this] { goTo(clock_.stage + 1); });
-    connect(slower_, &QToolButton::clicked, this, [this] { setSpeed(speedFactor_ / 2); });
-    connect(faster_, &QToolButton::clicked, this, [this] { setSpeed(speedFactor_ * 2); });
-    connect(direction_, &QToolButton::clicked, this, [this] {
-        clock_.direction = static_cast<PlayDirection>((static_cast<int>(clock_.direction) + 1) % 3);
-        retranslateUi();
-    });
-    connect(loop_, &QToolButton::toggled, this, [this](bool on) { clock_.isLooping = on; });
-    connect(scrubber_, &QSlider::valueChanged, this, &Player::goTo);
-    connect(keep_, &QToolButton::clicked, this, &Player::keepRequested);
-    retranslateUi();
 }
 
 QToolButton* Player::button(const char* name) {
@@ -93,10 +90,10 @@ QToolButton* Player::button(const char* name) {
 }
 
 void Player::setPace(double stagesPerSecond) {
-    if (pace_ == stagesPerSecond) // a timer that is set again begins anew
+    if (clock_.pace == stagesPerSecond) // a timer that is set again begins anew
         return;
-    pace_ = stagesPerSecond;
-    timer_.setInterval(interval(pace_ * speedFactor_));
+    clock_.pace = stagesPerSecond;
+    timer_.setInterval(clock_.interval());
 }
 
 void Player::setLast(int last) {
@@ -111,8 +108,8 @@ void Player::setStage(int stage) {
 }
 
 void Player::setSpeed(double factor) {
-    speedFactor_ = std::clamp(factor, kSlowest, kFastest);
-    timer_.setInterval(interval(pace_ * speedFactor_));
+    clock_.speed = std::clamp(factor, kSlowest, kFastest);
+    timer_.setInterval(clock_.interval());
     showState();
 }
 
@@ -155,9 +152,9 @@ void Player::showState() {
     setEnabled(clock_.last > 0);
     back_->setEnabled(clock_.stage > 0);
     forward_->setEnabled(clock_.stage < clock_.last);
-    slower_->setEnabled(speedFactor_ > kSlowest);
-    faster_->setEnabled(speedFactor_ < kFastest);
-    speed_->setText(tr("%1×", "speed of an animation").arg(formatNumber(speedFactor_)));
+    slower_->setEnabled(clock_.speed > kSlowest);
+    faster_->setEnabled(clock_.speed < kFastest);
+    speed_->setText(tr("%1×", "speed of an animation").arg(formatNumber(clock_.speed)));
 }
 
 void Player::changeEvent(QEvent* event) {

@@ -44,6 +44,7 @@ class Player : public QFrame {
 
   private:
     QToolButton* button(const char* name);
+    void layOut();
     void retranslateUi();
     void showState();
     void toggle();
@@ -52,8 +53,6 @@ class Player : public QFrame {
     bool takeKey(int key);
 
     PlayerClock clock_;
-    double pace_ = kStagesPerSecond;
-    double speedFactor_ = 1;
     QTimer timer_;
     QToolButton* back_;
     QToolButton* play_;

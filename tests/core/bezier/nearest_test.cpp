@@ -29,6 +29,14 @@ TEST(Nearest, findsTheCusp) {
     EXPECT_NEAR(found.distance, 1.25, 1e-12);
 }
 
+TEST(Nearest, toAPlaceBesideACuspIsThere) {
+    // Where the curve is slow, the coefficients of the squared distance tell its least value to some 1e-11 only.
+    for (const Points& cusp : {Points{{0, 0}, {1, 1}, {0, 1}, {1, 0}},                  // at (1/2, 3/4)
+                               Points{{-1, 1}, {1, -1.0 / 3}, {-1, -1.0 / 3}, {1, 1}}}) // (x^3, x^2)
+        for (double away = 1e-7; away < 1e-2; away *= 1.1)
+            ASSERT_LE(nearest(cusp, evaluate(cusp, 0.5 + away)).distance, 1e-12) << away;
+}
+
 TEST(Nearest, seesFarPointsAndFarCurves) {
     const Points arch{{0, 0}, {1, 2}, {3, 2}, {4, 0}};
     EXPECT_NEAR(nearest(arch, {2, 1e9}).at.y, 1.5, 1e-9);

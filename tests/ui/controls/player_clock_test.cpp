@@ -77,5 +77,14 @@ TEST(PlayerClock, oneStageIsAlwaysAtItsEnd) {
     }
 }
 
+TEST(PlayerClock, ticksByItsPaceAndSpeed) {
+    PlayerClock clock;
+    EXPECT_EQ(clock.interval(), 125);
+    clock.speed = 0.25;
+    EXPECT_EQ(clock.interval(), 500);
+    clock.pace = 2;
+    EXPECT_EQ(clock.interval(), 2000);
+}
+
 } // namespace
 } // namespace kriva::ui

@@ -1,5 +1,4 @@
 #include "core/bezier/evaluate.h"
-#include "core/bezier/measures/curvature.h"
 #include "core/sheets/spline/spline_measures.h"
 #include "core/sheets/spline/views/spline_plots.h"
 #include "core/sheets/spline/views/spline_tables.h"
@@ -56,17 +55,6 @@ TEST(SplineTables, haveNoRulesForParabolasAndNothingForOneKnot) {
     EXPECT_EQ(tablesOf(curve).size(), 1U);
     EXPECT_TRUE(tablesOf(chainThrough({{1, 1}})).empty());
     EXPECT_TRUE(plotsOf(chainThrough({{1, 1}})).empty());
-}
-
-TEST(SplineMeasures, findTheLargestCurvature) {
-    double sampled = 0;
-    for (const Points& segment : segmentsOf(kChain))
-        for (int i = 0; i <= 10'000; ++i)
-            sampled = std::max(sampled, std::abs(curvature(segment, i / 1e4).value_or(0)));
-    WorkBudget budget;
-    const double largest = largestCurvature(kChain, budget).value();
-    EXPECT_GE(largest, sampled * (1 - 1e-12));
-    EXPECT_LE(largest, sampled * (1 + 1e-6));
 }
 
 TEST(SplinePlots, drawTheHodograph) {

@@ -1,0 +1,164 @@
+#include "core/bezier/subdivide.h"
+#include "core/intersections/contacts/contact_search.h"
+#include "tests/core/intersections/arcs.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+namespace kriva {
+namespace {
+
+using test::plainArc;
+using testing::Ge;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+const ContactScale kScale;
+
+std::vector<Contact> found(const Arc& a, const Arc& b, const std::vector<Contact>& joints = {}) {
+    WorkBudget budget;
+    std::vector<Contact> contacts;
+    ContactSearch(kScale, joints, budget).search(a, b, contacts);
+    return contacts;
+}
+
+auto isAt(double a, double b, double allowed = 1e-9) {
+    return testing::AllOf(testing::Field(&Contact::a, testing::DoubleNear(a, allowed)),
+                          testing::Field(&Contact::b, testing::DoubleNear(b, allowed)));
+}
+
+const Points kArch{{0, 0}, {0, 4}, {4, 4}, {4, 0}}; // its top, (2, 3), is at 1/2
+
+TEST(ContactSearch, findsWhereLinesCross) {
+    const Arc line = plainArc(Points{{0, 0}, {4, 4}}), other = plainArc(Points{{0, 1}, {4, 0}});
+    EXPECT_THAT(found(line, other), testing::ElementsAre(isAt(0.2, 0.2, 1e-15)));
+    EXPECT_THAT(found(line, plainArc(Points{{0, 1}, {0.3, 0.4}})), IsEmpty()) << "which ends before";
+    EXPECT_THAT(found(line, plainArc(Points{{1, 0}, {5, 4}})), IsEmpty()) << "parallel";
+}
+
+TEST(ContactSearch, appendsWhatItFinds) {
+    WorkBudget budget;
+    std::vector<Contact> contacts{{2, 2}};
+    ContactSearch search(kScale, {}, budget);
+    search.search(plainArc(Points{{0, 0}, {4, 4}}), plainArc(Points{{0, 1}, {4, 0}}), contacts);
+    search.search(plainArc(Points{{0, 0}, {4, 4}}), plainArc(Points{{0, 2}, {2, 0}}), contacts);
+    EXPECT_THAT(contacts, testing::ElementsAre(Contact{2, 2}, isAt(0.2, 0.2), isAt(0.25, 0.5)));
+}
+
+TEST(ContactSearch, findsAllContactsInsideOfChebyshevCurves) {
+    // (u, T_n(u)) and (T_n(v), v) meet where T_n(T_n(u)) = T_(n^2)(u) = u, at u = cos(2 pi k / (n^2 - 1)) and
+    // cos(2 pi k / (n^2 + 1)): n^2 times, and no curves of degree n meet more often (Bezout).
+    for (std::size_t n = 2; n <= 5; ++n) {
+        const std::size_t square = n * n;
+        std::vector<Contact> expected;
+        for (const std::size_t parts : {square - 1, square + 1})
+            for (std::size_t k = 0; 2 * k <= parts; ++k) {
+                const double angle = 2 * std::numbers::pi * double(k) / double(parts);
+                const Contact contact{(1 + std::cos(angle)) / 2, (1 + std::cos(double(n) * angle)) / 2};
+                const bool isEnd = k == 0 || 2 * k == parts;
+                if (!isEnd)
+                    expected.push_back(contact);
+            }
+        ASSERT_THAT(expected, SizeIs(square - (n % 2 == 0 ? 1 : 2)));
+        std::vector<Contact> contacts =
+            found(plainArc(test::chebyshevCurve(1, n)), plainArc(test::chebyshevCurve(n, 1)));
+        std::erase_if(contacts, [](const Contact& contact) { // which it may tell
+            return std::abs(contact.a - 1) < 1e-12 || contact.a < 1e-12;
+        });
+        ASSERT_EQ(contacts.size(), expected.size()) << n;
+        for (const Contact& contact : expected)
+            EXPECT_THAT(contacts, testing::Contains(isAt(contact.a, contact.b))) << n;
+    }
+}
+
+TEST(ContactSearch, findsBothPlacesHoweverCloseTheyAre) {
+    // y = 3 - 12 (t - 1/2)^2
+    for (const double depth : {1e-2, 1e-4, 1e-8, 1e-10}) {
+        const double away = std::sqrt(depth / 12);
+        EXPECT_THAT(found(plainArc(kArch), plainArc(Points{{-1, 3 - depth}, {7, 3 - depth}})),
+                    testing::UnorderedElementsAre(testing::Field(&Contact::a, testing::DoubleNear(0.5 - away, 1e-7)),
+                                                  testing::Field(&Contact::a, testing::DoubleNear(0.5 + away, 1e-7))))
+            << depth;
+    }
+}
+
+TEST(ContactSearch, findsWhereCurvesTouch) {
+    for (const double y : {3.0, 3 + 0.9e-12, 3 - 0.9e-12}) {
+        const std::vector<Contact> contacts = found(plainArc(kArch), plainArc(Points{{-1, y}, {7, y}}));
+        ASSERT_THAT(contacts, SizeIs(Ge(1U))) << y;
+        for (const Contact& contact : contacts)
+            EXPECT_THAT(contact, isAt(0.5, 0.375, 1e-6)) << y;
+    }
+    EXPECT_THAT(found(plainArc(kArch), plainArc(Points{{-1, 3 + 1.1e-12}, {7, 3 + 1.1e-12}})), IsEmpty());
+}
+
+TEST(ContactSearch, findsNothingOfCurvesBesideEachOther) {
+    for (const double gap : {1e-2, 1e-6, 1e-10}) {
+        Points beside = kArch;
+        for (Point& p : beside)
+            p.y += gap;
+        EXPECT_THAT(found(plainArc(Points{{0, 0}, {1, 4}, {3, 4}, {4, 0}}),
+                          plainArc(Points{{0, gap}, {1, 4 + gap}, {3, 4 + gap}, {4, gap}})),
+                    IsEmpty())
+            << gap;
+    }
+}
+
+TEST(ContactSearch, leavesOutJoints) {
+    const Arc corner = plainArc(Points{{0, 0}, {1, 2}, {2, 0}}), next = plainArc(Points{{2, 0}, {3, 2}, {4, 0}});
+    EXPECT_THAT(found(corner, next, {{1, 0}}), IsEmpty());
+    const Arc before = plainArc(Points{{-2, 0}, {-1, -2}, {0, 0}});
+    EXPECT_THAT(found(corner, before, {{0, 1}}), IsEmpty());
+    // They are joined at one end and cross elsewhere.
+    const Arc across = plainArc(Points{{2, 0}, {0, 0.25}});
+    EXPECT_THAT(found(corner, across, {{1, 0}}), SizeIs(1));
+}
+
+RC_GTEST_PROP(ContactSearch, findsNothingOfAParabolaThatIsCutInTwo, ()) {
+    const Points parabola = *test::anyCurve(2, 2);
+    RC_PRE(test::isBent(parabola));
+    const auto [left, right] = split(parabola, *rc::gen::inRange(1, 8) / 8.0);
+    RC_ASSERT(found(arcOf(left, test::kFrame), arcOf(right, test::kFrame), {{1, 0}}).empty());
+}
+
+RC_GTEST_PROP(ContactSearch, tellsPlacesOfBothArcs, ()) {
+    const Arc a = *test::anyArc(), b = *test::anyArc();
+    for (const Contact& contact : found(a, b)) {
+        RC_ASSERT(contact.a >= 0 && contact.a <= 1 && contact.b >= 0 && contact.b <= 1);
+        RC_ASSERT(gapAt(a, b, contact) <= 2 * kScale.touching);
+    }
+}
+
+RC_GTEST_PROP(ContactSearch, hasTheParametersOfTheSegmentsForParts, ()) {
+    const auto [from, to] = *test::anyStretch();
+    const Arc arch = part(plainArc(kArch), from, to);
+    const double t = *rc::gen::inRange(1, 32) / 32.0;
+    const Point at = evaluate(plainArc(kArch), t).at;
+    const Arc upright = part(plainArc(Points{{at.x, -8}, {at.x, 8}}), 0.25, 1);
+    const std::vector<Contact> contacts = found(arch, upright);
+    if (from < t && t < to) {
+        RC_ASSERT(contacts.size() == 1);
+        RC_ASSERT(std::abs(contacts[0].a - t) <= 1e-10);
+        RC_ASSERT(std::abs(contacts[0].b - (at.y + 8) / 16) <= 1e-10);
+    } else if (t < from || t > to) {
+        RC_ASSERT(contacts.empty());
+    }
+}
+
+TEST(ContactSearch, endsWithItsBudget) {
+    const Arc one = plainArc(Points{{0, 0}, {2, 5}, {3, -6}, {7, 3}});
+    const Arc other = plainArc(Points{{0, 0}, {2, 5 + 1e-6}, {3, -6}, {7, 3}});
+    WorkBudget whole;
+    std::vector<Contact> contacts;
+    ContactSearch(kScale, {}, whole).search(one, other, contacts);
+    WorkBudget half(whole.spent() / 2);
+    ContactSearch(kScale, {}, half).search(one, other, contacts);
+    EXPECT_EQ(half.end(), WorkEnd::beyondBudget);
+    EXPECT_LE(half.spent(), whole.spent());
+}
+
+} // namespace
+} // namespace kriva
