@@ -2,7 +2,7 @@
 
 #include "core/io/numbers/plain_number.h"
 #include "core/io/svg/svg_writer.h"
-#include "core/io/tables/points_csv.h"
+#include "core/io/tables/points_writer.h"
 #include "ui/document/error_text.h"
 #include "ui/figures/caption_text.h"
 #include "ui/figures/figure_ink.h"
