@@ -106,9 +106,12 @@ class ExportOptionReader {
         }
         drawing.hasLabels = !has(u"no-labels"_s);
         const QString theme = options_.value(u"theme"_s, u"light"_s);
-        if (theme != u"light" && theme != u"dark")
+        const auto* named =
+            std::ranges::find(kThemeNames, theme.toStdString(), &std::pair<std::string_view, Theme>::first);
+        if (named == kThemeNames.end())
             refuse(tr("there is no theme %1").arg(theme));
-        drawing.theme = theme == u"dark" ? Theme::dark : Theme::light;
+        else
+            drawing.theme = named->second;
     }
     void readFrames(FigureFileOptions& result) {
         const auto frames = ui::readFramePlaces(options_.value(u"frames"_s));
