@@ -4,8 +4,8 @@
 #include "app/commands/option_number.h"
 #include "core/curve/limits.h"
 
+#include <QCommandLineParser>
 #include <QCoreApplication>
-#include <QMap>
 
 namespace kriva::app {
 
@@ -13,48 +13,22 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
-/// Arguments sorted into words and options; thrown apart before any of them is understood.
-struct Words {
-    QStringList plain;
-    QMap<QString, QString> options; ///< by long name, with their values
-    QString fault;                  ///< a sentence; empty where there is none
-};
-
-class CommandLine {
-    Q_DECLARE_TR_FUNCTIONS(CommandLine)
-  public:
-    [[nodiscard]] static Words sorted(const QStringList& arguments);
-    [[nodiscard]] static Request understood(Words words);
-    [[nodiscard]] static QString help();
-
-  private:
-    [[nodiscard]] static Request exported(const Words& words);
-    [[nodiscard]] static Request imported(const Words& words);
-    [[nodiscard]] static Request reported(const Words& words);
-    [[nodiscard]] static QString faultOf(const Words& words);
-    [[nodiscard]] static QString faultOfOptions(const Words& words, const QStringList& allowed);
-};
-
-bool takesValue(const QString& option) {
-    return QStringList{u"output"_s, u"sheet"_s, u"format"_s, u"language"_s, u"offset"_s}.contains(option) ||
-           exportOptionNames().values.contains(option);
+/// By their long names, with an equals sign where a value follows.
+QStringList optionsOf(const QString& command) {
+    QStringList options{u"language="_s, u"help"_s, u"version"_s};
+    if (command == u"export")
+        options += exportOptionNames() + QStringList{u"output="_s, u"sheet="_s, u"format="_s};
+    else if (command == u"import")
+        options += {u"output="_s, u"sheet="_s, u"scale="_s, u"offset="_s};
+    else if (command == u"report")
+        options += {u"format="_s, u"sheet="_s};
+    return options;
 }
 
-bool isKnown(const QString& option) {
-    return takesValue(option) || option == u"help" || option == u"version" ||
-           exportOptionNames().flags.contains(option);
-}
-
-/// "--sheet" and "--sheet=spline" are "sheet", "-o" is "output".
-QString longName(const QString& argument) {
-    if (argument.startsWith(u"--"))
-        return argument.sliced(2).section(u'=', 0, 0);
-    const QMap<QString, QString> shortNames{{u"-o"_s, u"output"_s}, {u"-h"_s, u"help"_s}, {u"-v"_s, u"version"_s}};
-    return shortNames.value(argument, argument);
-}
-
-std::optional<SheetIndex> sheetOf(const Words& words) {
-    return sheetNamed(words.options.value(u"sheet"_s).toStdString());
+QStringList allOptions() {
+    QStringList all = optionsOf(u"export"_s) + optionsOf(u"import"_s) + optionsOf(u"report"_s);
+    all.removeDuplicates();
+    return all;
 }
 
 /// "elevation, subdivision, spline, combined"
@@ -65,87 +39,98 @@ QString sheetNames() {
     return names.join(u", "_s);
 }
 
-Words CommandLine::sorted(const QStringList& arguments) {
-    Words words;
-    for (qsizetype i = 0; i < arguments.size() && words.fault.isEmpty(); ++i) {
-        const QString& argument = arguments[i];
-        if (argument == u"--") {
-            words.plain += arguments.sliced(i + 1);
-            break;
-        }
-        if (!argument.startsWith(u'-') || argument.size() == 1) {
-            words.plain += argument;
-            continue;
-        }
-        const QString option = longName(argument);
-        const bool holdsValue = argument.startsWith(u"--") && argument.contains(u'=');
-        if (!isKnown(option) || (holdsValue && !takesValue(option)))
-            words.fault = tr("unknown option %1").arg(argument);
-        else if (holdsValue)
-            words.options.insert(option, argument.section(u'=', 1));
-        else if (!takesValue(option))
-            words.options.insert(option, QString());
-        else if (i + 1 == arguments.size())
-            words.fault = tr("a value is missing behind %1").arg(argument);
-        else
-            words.options.insert(option, arguments[++i]);
+class CommandLine {
+    Q_DECLARE_TR_FUNCTIONS(CommandLine)
+  public:
+    explicit CommandLine(const QStringList& arguments);
+
+    [[nodiscard]] Request request() const;
+    [[nodiscard]] std::optional<ui::Language> language() const { return ui::languageOf(value(u"language"_s)); }
+    [[nodiscard]] static QString help();
+
+  private:
+    [[nodiscard]] Request exported() const;
+    [[nodiscard]] Request imported() const;
+    [[nodiscard]] Request reported() const;
+    // What is wrong with the options, each in a sentence that is empty where nothing is.
+    [[nodiscard]] QString flagWithValue() const;
+    [[nodiscard]] QString fault() const;
+    [[nodiscard]] QString strayOption(const QString& command) const;
+    [[nodiscard]] bool has(const QString& option) const { return options_.isSet(option); }
+    [[nodiscard]] QString value(const QString& option) const { return options_.value(option); }
+    [[nodiscard]] std::optional<SheetIndex> sheet() const { return sheetNamed(value(u"sheet"_s).toStdString()); }
+
+    const QStringList arguments_;
+    QCommandLineParser options_;
+    bool isWellFormed_ = false;
+    QStringList plain_; ///< what is no option
+};
+
+CommandLine::CommandLine(const QStringList& arguments)
+    : arguments_(arguments) {
+    for (const QString& option : allOptions()) {
+        const QString name = option.section(u'=', 0, 0);
+        const bool hasLetter = name == u"output" || name == u"help" || name == u"version";
+        options_.addOption(
+            {hasLetter ? QStringList{name.first(1), name} : QStringList{name}, {}, option == name ? QString() : name});
     }
-    return words;
+    isWellFormed_ = options_.parse(QStringList(QString()) + arguments);
+    plain_ = options_.positionalArguments();
 }
 
-QString CommandLine::faultOf(const Words& words) {
-    if (!words.fault.isEmpty())
-        return words.fault;
-    const QString language = words.options.value(u"language"_s, u"en"_s);
-    if (!ui::languageOf(language))
-        return tr("unknown language %1").arg(language);
-    if (words.options.contains(u"sheet"_s) && !sheetOf(words))
-        return tr("there is no sheet %1").arg(words.options.value(u"sheet"_s));
+QString CommandLine::flagWithValue() const {
+    for (const QString& argument : arguments_)
+        if (!isWellFormed_ && argument.contains(u'=') && allOptions().contains(argument.section(u'=', 0, 0).mid(2)))
+            return tr("unknown option %1").arg(argument);
     return {};
 }
 
-QString CommandLine::faultOfOptions(const Words& words, const QStringList& allowed) {
-    for (auto option = words.options.keyBegin(); option != words.options.keyEnd(); ++option)
-        if (*option != u"language" && !allowed.contains(*option))
-            return tr("the option --%1 does not belong here").arg(*option);
+QString CommandLine::fault() const {
+    if (const QStringList unknown = options_.unknownOptionNames(); !unknown.isEmpty())
+        return tr("unknown option %1").arg((unknown.first().size() == 1 ? u"-"_s : u"--"_s) + unknown.first());
+    if (!isWellFormed_)
+        return tr("a value is missing behind %1").arg(arguments_.constLast());
+    if (has(u"language"_s) && !language())
+        return tr("unknown language %1").arg(value(u"language"_s));
+    if (has(u"sheet"_s) && !sheet())
+        return tr("there is no sheet %1").arg(value(u"sheet"_s));
     return {};
 }
 
-Request CommandLine::exported(const Words& words) {
-    const ExportOptionNames own = exportOptionNames();
-    if (const QString fault =
-            faultOfOptions(words, own.values + own.flags + QStringList{u"output"_s, u"sheet"_s, u"format"_s});
-        !fault.isEmpty())
-        return UsageError{fault};
-    if (words.plain.isEmpty())
+QString CommandLine::strayOption(const QString& command) const {
+    const QStringList allowed = optionsOf(command);
+    for (const QString& option : allOptions())
+        if (const QString name = option.section(u'=', 0, 0); has(name) && !allowed.contains(option))
+            return tr("the option --%1 does not belong here").arg(name);
+    return {};
+}
+
+Request CommandLine::exported() const {
+    const QStringList files = plain_.sliced(1);
+    if (files.isEmpty())
         return UsageError{tr("export needs a file")};
-    const QString output = words.options.value(u"output"_s);
+    const QString output = value(u"output"_s);
     if (output.isEmpty())
         return UsageError{tr("export needs the file to write: -o OUT.svg")};
-    if (words.plain.size() > 1 && !output.contains(u"{name}"))
+    if (files.size() > 1 && !output.contains(u"{name}"))
         return UsageError{tr("%1: with several files it needs {name} for the name of each").arg(output)};
-    std::variant<FigureFileOptions, QString> options = exportOptions(words.options);
+    std::variant<FigureFileOptions, QString> options = exportOptions(options_);
     if (QString* fault = std::get_if<QString>(&options))
         return UsageError{std::move(*fault)};
-    return ExportRequest{words.plain, output, sheetOf(words), std::get<FigureFileOptions>(std::move(options))};
+    return ExportRequest{files, output, sheet(), std::get<FigureFileOptions>(std::move(options))};
 }
 
-Request CommandLine::imported(const Words& words) {
+Request CommandLine::imported() const {
     const auto numberOf = [](const QString& text) { return optionNumber(text, -limits::kNumber, limits::kNumber); };
-    if (const QString fault = faultOfOptions(words, {u"output"_s, u"sheet"_s, u"scale"_s, u"offset"_s});
-        !fault.isEmpty())
-        return UsageError{fault};
-    if (words.plain.isEmpty())
+    ImportRequest request{plain_.sliced(1), value(u"output"_s), sheet().value_or(0), {}};
+    if (request.files.isEmpty())
         return UsageError{tr("import needs a file")};
-    ImportRequest request{words.plain, words.options.value(u"output"_s), 0, {}};
     if (request.output.isEmpty())
         return UsageError{tr("import needs the document to write: -o OUT.kriva")};
-    const std::optional<SheetIndex> sheet = sheetOf(words);
-    if (!sheet)
+    if (!sheet())
         return UsageError{tr("import needs the sheet that the curves go to: --sheet NAME")};
-    request.sheet = *sheet;
-    const QString scale = words.options.value(u"scale"_s, u"1"_s);
-    const QStringList offset = words.options.value(u"offset"_s, u"0,0"_s).split(u',');
+    const QString scale = has(u"scale"_s) ? value(u"scale"_s) : u"1"_s;
+    const QStringList offset = (has(u"offset"_s) ? value(u"offset"_s) : u"0,0"_s).split(u',');
     const std::optional<double> factor = numberOf(scale);
     if (!factor || *factor == 0)
         return UsageError{tr("there is no scale %1").arg(scale)};
@@ -157,32 +142,34 @@ Request CommandLine::imported(const Words& words) {
     return request;
 }
 
-Request CommandLine::reported(const Words& words) {
-    if (const QString fault = faultOfOptions(words, {u"format"_s, u"sheet"_s}); !fault.isEmpty())
-        return UsageError{fault};
-    if (words.plain.size() != 1)
+Request CommandLine::reported() const {
+    if (plain_.size() != 2)
         return UsageError{tr("report needs one file")};
-    const QString format = words.options.value(u"format"_s, u"text"_s);
-    if (format != u"json" && format != u"text")
+    const QString format = value(u"format"_s);
+    if (has(u"format"_s) && format != u"json" && format != u"text")
         return UsageError{tr("there is no format %1").arg(format)};
-    return ReportRequest{words.plain.first(), format == u"json", sheetOf(words)};
+    return ReportRequest{plain_.last(), format == u"json", sheet()};
 }
 
-Request CommandLine::understood(Words words) {
-    if (words.options.contains(u"help"_s))
+Request CommandLine::request() const {
+    if (const QString flag = flagWithValue(); !flag.isEmpty())
+        return UsageError{flag};
+    if (has(u"help"_s))
         return HelpRequest{};
-    if (words.options.contains(u"version"_s))
+    if (has(u"version"_s))
         return VersionRequest{};
-    if (const QString fault = faultOf(words); !fault.isEmpty())
-        return UsageError{fault};
-    const QString command = words.plain.value(0);
-    if (command == u"export" || command == u"import" || command == u"report") {
-        words.plain.removeFirst();
-        return command == u"export" ? exported(words) : command == u"import" ? imported(words) : reported(words);
-    }
-    if (const QString fault = faultOfOptions(words, {}); !fault.isEmpty())
-        return UsageError{fault};
-    return EditorRequest{words.plain, ui::languageOf(words.options.value(u"language"_s))};
+    if (const QString wrong = fault(); !wrong.isEmpty())
+        return UsageError{wrong};
+    const QString command = plain_.value(0);
+    if (const QString stray = strayOption(command); !stray.isEmpty())
+        return UsageError{stray};
+    if (command == u"export")
+        return exported();
+    if (command == u"import")
+        return imported();
+    if (command == u"report")
+        return reported();
+    return EditorRequest{plain_, language()};
 }
 
 QString CommandLine::help() {
@@ -219,12 +206,11 @@ QString CommandLine::help() {
 } // namespace
 
 Request parseCommandLine(const QStringList& arguments) {
-    return CommandLine::understood(CommandLine::sorted(arguments));
+    return CommandLine(arguments).request();
 }
 
 ui::Language languageAskedFor(const QStringList& arguments) {
-    const QString code = CommandLine::sorted(arguments).options.value(u"language"_s);
-    return ui::languageOf(code).value_or(ui::systemLanguage());
+    return CommandLine(arguments).language().value_or(ui::systemLanguage());
 }
 
 QString helpText() {

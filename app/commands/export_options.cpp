@@ -3,6 +3,7 @@
 #include "app/commands/option_number.h"
 #include "ui/figures/frame_text.h"
 
+#include <QCommandLineParser>
 #include <QCoreApplication>
 
 #include <array>
@@ -40,7 +41,7 @@ std::optional<double> lengthOf(QString text) {
 class ExportOptionReader {
     Q_DECLARE_TR_FUNCTIONS(CommandLine)
   public:
-    explicit ExportOptionReader(const QMap<QString, QString>& options)
+    explicit ExportOptionReader(const QCommandLineParser& options)
         : options_(options) {}
 
     [[nodiscard]] std::variant<FigureFileOptions, QString> read() {
@@ -63,7 +64,7 @@ class ExportOptionReader {
     }
 
   private:
-    [[nodiscard]] bool has(const QString& name) const { return options_.contains(name); }
+    [[nodiscard]] bool has(const QString& name) const { return options_.isSet(name); }
     void refuse(const QString& sentence) {
         if (fault_.isEmpty())
             fault_ = sentence;
@@ -105,10 +106,15 @@ class ExportOptionReader {
                 drawing.layers->push_back(layer.trimmed().toStdString());
         }
         drawing.hasLabels = !has(u"no-labels"_s);
-        const QString theme = options_.value(u"theme"_s, u"light"_s);
-        if (theme != u"light" && theme != u"dark")
+        if (!has(u"theme"_s))
+            return;
+        const QString theme = options_.value(u"theme"_s);
+        const auto* named =
+            std::ranges::find(kThemeNames, theme.toStdString(), &std::pair<std::string_view, Theme>::first);
+        if (named == kThemeNames.end())
             refuse(tr("there is no theme %1").arg(theme));
-        drawing.theme = theme == u"dark" ? Theme::dark : Theme::light;
+        else
+            drawing.theme = named->second;
     }
     void readFrames(FigureFileOptions& result) {
         const auto frames = ui::readFramePlaces(options_.value(u"frames"_s));
@@ -145,20 +151,19 @@ class ExportOptionReader {
         return found;
     }
 
-    const QMap<QString, QString>& options_;
+    const QCommandLineParser& options_;
     QString fault_;
 };
 
 } // namespace
 
-ExportOptionNames exportOptionNames() {
-    return {{u"curve"_s, u"layers"_s, u"width"_s, u"scale"_s, u"margin"_s, u"dpi"_s, u"decimals"_s, u"theme"_s,
-             u"frames"_s, u"seconds"_s},
-            {u"no-labels"_s, u"no-document"_s, u"inkscape-layers"_s, u"outlines"_s, u"transparent"_s, u"fragment"_s,
-             u"animate"_s}};
+QStringList exportOptionNames() {
+    return {u"curve="_s,          u"layers="_s,  u"width="_s,      u"scale="_s,   u"margin="_s,   u"dpi="_s,
+            u"decimals="_s,       u"theme="_s,   u"frames="_s,     u"seconds="_s, u"no-labels"_s, u"no-document"_s,
+            u"inkscape-layers"_s, u"outlines"_s, u"transparent"_s, u"fragment"_s, u"animate"_s};
 }
 
-std::variant<FigureFileOptions, QString> exportOptions(const QMap<QString, QString>& options) {
+std::variant<FigureFileOptions, QString> exportOptions(const QCommandLineParser& options) {
     return ExportOptionReader(options).read();
 }
 

@@ -2,22 +2,19 @@
 
 #include "ui/figures/figure_file.h"
 
-#include <QMap>
 #include <QStringList>
 
 #include <variant>
 
+class QCommandLineParser;
+
 namespace kriva::app {
 
-/// The options that only `export` has, by their long names.
-struct ExportOptionNames {
-    QStringList values; ///< followed by a value
-    QStringList flags;
-};
-[[nodiscard]] ExportOptionNames exportOptionNames();
+/// The options that only `export` has, by their long names, with an equals sign where a value follows.
+[[nodiscard]] QStringList exportOptionNames();
 
 /// How the figure is to be written, or a sentence about what is wrong with an option. `output` and `format` among the
 /// options decide the format.
-[[nodiscard]] std::variant<FigureFileOptions, QString> exportOptions(const QMap<QString, QString>& options);
+[[nodiscard]] std::variant<FigureFileOptions, QString> exportOptions(const QCommandLineParser& options);
 
 } // namespace kriva::app

@@ -4,8 +4,8 @@
 #include "app/commands/progress.h"
 #include "app/commands/streams.h"
 #include "core/io/json/document_json.h"
-#include "ui/clipboard/import_text.h"
 #include "ui/document/error_text.h"
+#include "ui/document/import_text.h"
 
 namespace kriva::app {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/io/svg/paths/svg_paths.h"
-#include "core/io/tables/table_reader.h"
+#include "core/io/tables/points_reader.h"
 
 namespace kriva {
 

@@ -1,6 +1,6 @@
 #include "core/curve/limits.h"
-#include "core/io/tables/points_csv.h"
-#include "core/io/tables/table_reader.h"
+#include "core/io/tables/points_reader.h"
+#include "core/io/tables/points_writer.h"
 
 #include <cmath>
 #include <cstdint>

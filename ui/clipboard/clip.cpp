@@ -3,13 +3,14 @@
 #include "core/document/conversion.h"
 #include "core/io/svg/curve_svg.h"
 #include "core/io/svg/imported.h"
+#include "core/io/tables/points_writer.h"
 #include "ui/base/language/plain_text.h"
-#include "ui/clipboard/import_text.h"
-#include "ui/clipboard/points_table.h"
 #include "ui/document/error_text.h"
+#include "ui/document/import_text.h"
 #include "ui/figures/caption_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 namespace kriva::ui {
 namespace {
@@ -67,7 +68,8 @@ std::unique_ptr<QMimeData> clipOf(const Fragment& fragment, std::optional<double
     clip->setData(QString::fromLatin1(kFragmentFormat), bytesOf(writeFragment(fragment)));
     if (const std::optional<std::string> svg = writeCurveSvg(fragment.curve, mmPerUnit, textSource()))
         clip->setData(kSvgFormat, bytesOf(*svg));
-    clip->setText(pointsTable(pointsOf(fragment.curve)));
+    clip->setText(
+        QString::fromStdString(writePointsTable(pointsOf(fragment.curve), QLocale().decimalPoint().toStdString())));
     return clip;
 }
 

@@ -11,14 +11,11 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace kriva::ui {
 namespace {
 
-constexpr std::array kFormatsInOrder{FigureFormat::svg, FigureFormat::pdf, FigureFormat::png, FigureFormat::tikz,
-                                     FigureFormat::csv};
 constexpr double kLeastWidth = 5;
 constexpr double kMostWidth = 2000;
 constexpr double kMostMargin = 100;
@@ -69,7 +66,7 @@ ExportDialog::ExportDialog(ExportSubject subject, const FigureFileOptions& optio
 }
 
 void ExportDialog::fill(const FigureFileOptions& options) {
-    for (const FigureFormat format : kFormatsInOrder)
+    for (const auto& [name, format] : kFormatNames)
         if (subject_.isSheet || format != FigureFormat::csv)
             format_->addItem(QString(), static_cast<int>(format));
     format_->setCurrentIndex(format_->findData(static_cast<int>(options.format)));
@@ -219,7 +216,7 @@ void ExportDialog::showFormat() {
 CoalescingWorker::Work ExportDialog::drawing() {
     return [this, make = subject_.drawing, wanted = options()](WorkBudget& budget) -> CoalescingWorker::Take {
         Drawing made = make(wanted, budget);
-        made.hasPaper = !wanted.isTransparent || wanted.format != FigureFormat::png;
+        made.hasPaper = hasPaper(wanted);
         return [this, made = std::move(made)]() mutable { showDrawing(std::move(made)); };
     };
 }

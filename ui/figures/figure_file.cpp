@@ -2,7 +2,7 @@
 
 #include "core/io/numbers/plain_number.h"
 #include "core/io/svg/svg_writer.h"
-#include "core/io/tables/points_csv.h"
+#include "core/io/tables/points_writer.h"
 #include "ui/document/error_text.h"
 #include "ui/figures/caption_text.h"
 #include "ui/figures/figure_ink.h"
@@ -10,17 +10,10 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace kriva::ui {
 namespace {
-
-constexpr std::array<std::pair<const char*, FigureFormat>, 5> kFormats{{{".svg", FigureFormat::svg},
-                                                                        {".pdf", FigureFormat::pdf},
-                                                                        {".png", FigureFormat::png},
-                                                                        {".tex", FigureFormat::tikz},
-                                                                        {".csv", FigureFormat::csv}}};
 
 class FaultTexts {
     Q_DECLARE_TR_FUNCTIONS(FigureFile)
@@ -47,8 +40,11 @@ std::string outlineData(const PlacedLabel& label) {
     return data.empty() ? data : data + " Z";
 }
 
-SvgOptions svgOptions(const FigureFileOptions& options) {
+/// What an SVG file is written with; the document goes along where the options say so.
+SvgOptions svgOptions(const FigureFileOptions& options, const Document* document) {
     SvgOptions svg{{}, options.decimals, options.hasInkscapeLayers, {}};
+    if (document && options.holdsDocument)
+        svg.document = documentForSvg(*document);
     if (options.hasOutlines)
         svg.outlineOf = outlineData;
     return svg;
@@ -61,15 +57,15 @@ QByteArray bytesOf(const std::string& text) {
 } // namespace
 
 std::optional<FigureFormat> figureFormatOf(const QString& path) {
-    for (const auto& [suffix, format] : kFormats)
-        if (path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive))
+    for (const auto& [name, format] : kFormatNames)
+        if (path.endsWith(suffixOf(format), Qt::CaseInsensitive))
             return format;
     return {};
 }
 
 QString suffixOf(FigureFormat format) {
-    const auto* found = std::ranges::find(kFormats, format, &std::pair<const char*, FigureFormat>::second);
-    return QLatin1String(found->first);
+    const auto* named = std::ranges::find(kFormatNames, format, &std::pair<std::string_view, FigureFormat>::second);
+    return QLatin1Char('.') + QLatin1String(named->first.data(), static_cast<qsizetype>(named->first.size()));
 }
 
 QString faultText(FigureFault fault) {
@@ -87,7 +83,7 @@ QString faultText(const FigureFile& file) {
     return fault ? faultText(*fault) : QString();
 }
 
-FigureFile drawingFile(const Drawing& drawing, const FigureFileOptions& options) {
+FigureFile drawingFile(const Drawing& drawing, const FigureFileOptions& options, const Document* document) {
     if (drawing.refusal)
         return *drawing.refusal;
     const TextSource texts = textSource();
@@ -103,41 +99,15 @@ FigureFile drawingFile(const Drawing& drawing, const FigureFileOptions& options)
         if (std::max(pixels.width(), pixels.height()) > kMostPixels)
             return FigureFault::tooManyPixels;
         Drawing onPaper = drawing;
-        onPaper.hasPaper = !options.isTransparent;
+        onPaper.hasPaper = hasPaper(options);
         return writePng(onPaper, texts, options.dpi);
     }
     case FigureFormat::svg:
     case FigureFormat::csv:
         break;
     }
-    return bytesOf(writeSvg(drawing, texts, svgOptions(options)));
+    return bytesOf(writeSvg(drawing, texts, svgOptions(options, document)));
 }
-
-namespace {
-
-FigureFile framesFile(const Document& document, SheetIndex sheet, const FigureFileOptions& options,
-                      WorkBudget& budget) {
-    const TextSource texts = textSource();
-    SvgOptions svg = svgOptions(options);
-    if (options.holdsDocument)
-        svg.document = documentForSvg(document);
-    if (options.format == FigureFormat::svg && options.isAnimated) {
-        const auto frames = framesOf(document, sheet, options.frames, texts, options.drawing, budget);
-        if (!frames)
-            return FigureFault::noSuchFrame;
-        if (frames->front().refusal)
-            return *frames->front().refusal;
-        return bytesOf(writeAnimatedSvg(*frames, options.frameSeconds, texts, svg));
-    }
-    const auto strip = frameStripOf(document, sheet, options.frames, texts, options.drawing, budget);
-    if (!strip)
-        return FigureFault::noSuchFrame;
-    if (options.format != FigureFormat::svg || strip->refusal)
-        return drawingFile(*strip, options);
-    return bytesOf(writeSvg(*strip, texts, svg));
-}
-
-} // namespace
 
 std::vector<FigureFile> frameFiles(const Document& document, SheetIndex sheet, const FigureFileOptions& options,
                                    WorkBudget& budget) {
@@ -155,14 +125,18 @@ FigureFile figureFile(const Document& document, SheetIndex sheet, const FigureFi
     const TextSource texts = textSource();
     if (options.format == FigureFormat::csv)
         return bytesOf(writePointsCsv(document.sheets[sheet], options.drawing.curve));
-    if (!options.frames.empty())
-        return framesFile(document, sheet, options, budget);
-    const Drawing drawing = drawingOf(document, sheet, texts, options.drawing, budget);
-    if (options.format != FigureFormat::svg || !options.holdsDocument || drawing.refusal)
-        return drawingFile(drawing, options);
-    SvgOptions svg = svgOptions(options);
-    svg.document = documentForSvg(document);
-    return bytesOf(writeSvg(drawing, texts, svg));
+    if (options.frames.empty())
+        return drawingFile(drawingOf(document, sheet, texts, options.drawing, budget), options, &document);
+    if (options.isAnimated && options.format == FigureFormat::svg) {
+        const auto frames = framesOf(document, sheet, options.frames, texts, options.drawing, budget);
+        if (!frames)
+            return FigureFault::noSuchFrame;
+        if (frames->front().refusal)
+            return *frames->front().refusal;
+        return bytesOf(writeAnimatedSvg(*frames, options.frameSeconds, texts, svgOptions(options, &document)));
+    }
+    const auto strip = frameStripOf(document, sheet, options.frames, texts, options.drawing, budget);
+    return strip ? drawingFile(*strip, options, &document) : FigureFault::noSuchFrame;
 }
 
 } // namespace kriva::ui

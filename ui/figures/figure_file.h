@@ -31,8 +31,9 @@ using FigureFile = std::variant<QByteArray, FigureFault, FileError>;
 /// Why there is none, likewise; empty where there is one.
 [[nodiscard]] QString faultText(const FigureFile& file);
 
-/// The file of a drawing, which is no document and has no points: not CSV.
-[[nodiscard]] FigureFile drawingFile(const Drawing& drawing, const FigureFileOptions& options);
+/// The file of a drawing, which has no points: not CSV. A document goes along where the options and the format let it.
+[[nodiscard]] FigureFile drawingFile(const Drawing& drawing, const FigureFileOptions& options,
+                                     const Document* document = nullptr);
 
 /// The file of a sheet's figure, or of the frames asked for; on any thread. CSV holds the points of the curves that are
 /// drawn. Of no use where the budget was stopped.

@@ -11,8 +11,6 @@
 namespace kriva::ui {
 namespace {
 
-constexpr double kMostStage = 100'000;
-
 QStringList partsOf(const QString& text) {
     static const QRegularExpression blanks(QStringLiteral("[\\s;]+"));
     static const QRegularExpression commas(QStringLiteral("\\s*,\\s*"));

@@ -1,9 +1,9 @@
 #include "ui/window/points_import.h"
 
 #include "ui/base/message_box.h"
-#include "ui/clipboard/import_text.h"
 #include "ui/document/bounded_read.h"
 #include "ui/document/error_text.h"
+#include "ui/document/import_text.h"
 #include "ui/editing/sheet_editor.h"
 #include "ui/window/dialogs/import_dialog.h"
 

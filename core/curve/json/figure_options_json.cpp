@@ -3,16 +3,6 @@
 namespace kriva {
 namespace {
 
-constexpr double kMostStage = 100'000;
-
-const std::initializer_list<std::pair<std::string_view, FigureFormat>> kFormats = {{"svg", FigureFormat::svg},
-                                                                                   {"pdf", FigureFormat::pdf},
-                                                                                   {"png", FigureFormat::png},
-                                                                                   {"tex", FigureFormat::tikz},
-                                                                                   {"csv", FigureFormat::csv}};
-const std::initializer_list<std::pair<std::string_view, Theme>> kThemes = {{"light", Theme::light},
-                                                                           {"dark", Theme::dark}};
-
 void read(const JsonObject& object, std::string_view key, bool& value) {
     if (const JsonNode* found = object.find(key))
         value = found->trueOrFalse();
@@ -34,7 +24,7 @@ void readDrawing(const JsonObject& object, DrawingOptions& drawing, std::span<co
     }
     read(object, "labels", drawing.hasLabels);
     if (const JsonNode* theme = object.find("theme"))
-        drawing.theme = theme->oneOf(kThemes);
+        drawing.theme = theme->oneOf(kThemeNames);
 }
 
 void readFrames(const JsonObject& object, FigureFileOptions& options) {
@@ -77,7 +67,7 @@ FigureFileOptions readFigureOptions(const JsonNode& node, std::span<const std::s
                                    "t", "animated", "seconds"});
     FigureFileOptions options;
     if (const JsonNode* format = object.find("format"))
-        options.format = format->oneOf(kFormats);
+        options.format = format->oneOf(kFormatNames);
     readDrawing(object, options.drawing, layers);
     read(object, "document", options.holdsDocument);
     if (const JsonNode* decimals = object.find("decimals"))
@@ -98,7 +88,7 @@ void writeFigureOptions(JsonWriter& json, const FigureFileOptions& options) {
     const FigureFileOptions usual;
     json.beginObject();
     if (options.format != usual.format)
-        json.member("format", wordOf(options.format, kFormats));
+        json.member("format", wordOf(options.format, kFormatNames));
     if (options.drawing.width)
         json.member("width", *options.drawing.width);
     if (options.drawing.mmPerUnit)
@@ -113,7 +103,7 @@ void writeFigureOptions(JsonWriter& json, const FigureFileOptions& options) {
     }
     write(json, "labels", options.drawing.hasLabels, usual.drawing.hasLabels);
     if (options.drawing.theme != usual.drawing.theme)
-        json.member("theme", wordOf(options.drawing.theme, kThemes));
+        json.member("theme", wordOf(options.drawing.theme, kThemeNames));
     write(json, "document", options.holdsDocument, usual.holdsDocument);
     if (options.decimals)
         json.member("decimals", *options.decimals);

@@ -1,223 +1,206 @@
 #include "core/curve/json/json_tape.h"
 
 #include "core/curve/limits.h"
-
-#include <nlohmann/json.hpp>
+#include "core/curve/text/utf8.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
-#include <iterator>
-#include <locale.h> // newlocale and uselocale: POSIX, not in <clocale>
+#include <limits>
 #include <optional>
 
 namespace kriva {
 namespace {
 
-/// Makes the C library read a point as the decimal sign in this thread: the library below asks it for numbers, and
-/// would take a valid number for a wrong one where the process's locale has another sign.
-class PointLocale {
+/// The nearest double of a number of JSON: zero where it is too small for one, infinite where it is too large.
+double nearestDouble(std::string_view token) {
+    double value = 0;
+    if (std::from_chars(token.data(), token.data() + token.size(), value).ec == std::errc())
+        return value;
+    // It is far from 1: the power of ten of the first digit but 0 tells on which side.
+    const std::size_t end = std::min(token.find_first_of("eE"), token.size());
+    const std::size_t point = std::min(token.find('.'), end);
+    std::string_view exponent = token.substr(std::min(end + 1, token.size()));
+    if (exponent.starts_with('+'))
+        exponent.remove_prefix(1);
+    int power = 0;
+    if (std::from_chars(exponent.data(), exponent.data() + exponent.size(), power).ec == std::errc::result_out_of_range)
+        power = exponent.starts_with('-') ? -limits::kNumberCharacters : limits::kNumberCharacters;
+    power += static_cast<int>(point) - static_cast<int>(token.find_first_of("123456789"));
+    value = power > 0 ? std::numeric_limits<double>::infinity() : 0;
+    return token.starts_with('-') ? -value : value;
+}
+
+void appendCharacter(std::string& to, char32_t c) {
+    constexpr std::array<char32_t, 4> kLead{0, 0xc0, 0xe0, 0xf0};
+    const std::size_t rest = c < 0x80 ? 0 : c < 0x800 ? 1 : c < 0x10000 ? 2 : 3; // bytes behind the first one
+    to += static_cast<char>(kLead[rest] | c >> 6 * rest);
+    for (std::size_t i = rest; i-- > 0;)
+        to += static_cast<char>(0x80 | (c >> 6 * i & 0x3f));
+}
+
+/// Lays a text on a tape. Each function that reads goes on behind what it read; it gives false where there is a fault,
+/// at the first byte that cannot stand there unless error_ says otherwise.
+class JsonReader {
   public:
-    PointLocale()
-        : point_(newlocale(LC_NUMERIC_MASK, "C", nullptr))
-        , before_(uselocale(point_)) {}
-    ~PointLocale() {
-        uselocale(before_);
-        freelocale(point_);
+    explicit JsonReader(std::string_view text)
+        : text_(text) {}
+
+    [[nodiscard]] std::variant<JsonTape, FileError> read() && {
+        if (readValue() && !isMore())
+            return std::move(tape_);
+        return error_ ? *std::move(error_) : errorAtByte(FileProblem::notJson, text_, at_);
     }
-    PointLocale(const PointLocale&) = delete;
-    PointLocale& operator=(const PointLocale&) = delete;
 
   private:
-    locale_t point_;
-    locale_t before_;
-};
-
-bool isBlank(char c) {
-    return c == ' ' || c == '\n' || c == '\r' || c == '\t';
-}
-
-/// A place in a JSON text, whose line ends and tabs outside of texts are read as blanks. The library writes all that it
-/// skipped into a message, which nobody reads, and eight characters for each that is no blank: a GiB for a file of
-/// them.
-class BlankedPlace {
-  public:
-    using iterator_category = std::input_iterator_tag;
-    using value_type = char;
-    using difference_type = std::ptrdiff_t;
-    using pointer = const char*;
-    using reference = char;
-
-    explicit BlankedPlace(const char* at)
-        : at_(at) {}
-
-    char operator*() const { return !isInText_ && isBlank(*at_) ? ' ' : *at_; }
-    BlankedPlace& operator++() {
-        if (*at_ == '"' && !isEscaped_)
-            isInText_ = !isInText_;
-        isEscaped_ = isInText_ && *at_ == '\\' && !isEscaped_;
-        ++at_;
-        return *this;
+    bool skip(std::string_view oneOf) {
+        const bool isNext = at_ < text_.size() && oneOf.find(text_[at_]) != std::string_view::npos;
+        at_ += isNext ? 1 : 0;
+        return isNext;
     }
-    friend bool operator==(const BlankedPlace& a, const BlankedPlace& b) { return a.at_ == b.at_; }
-
-  private:
-    const char* at_;
-    bool isInText_ = false;
-    bool isEscaped_ = false;
-};
-
-struct Outline {
-    std::size_t entries = 1; ///< values and keys, if the text is JSON
-    std::optional<FileError> error;
-};
-
-FileError beyondLimit(FileProblem problem, int limit, std::string_view text, std::size_t byte) {
-    FileError error = errorAtByte(problem, text, byte);
-    error.numbers = {static_cast<double>(limit)};
-    return error;
-}
-
-bool startsNumber(char c) {
-    return c == '-' || ('0' <= c && c <= '9');
-}
-
-/// Counts entries without parsing, by brackets, commas and colons outside texts, and sees what would take the parser
-/// too deep or too long.
-Outline outlineOf(std::string_view text) {
-    Outline outline;
-    int depth = 0;
-    bool isInText = false;
-    char before = 0;       // blanks left out
-    std::size_t token = 0; // where the number or word that goes on here began
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (isInText) {
-            if (c == '\\')
-                ++i;
-            else if (c == '"')
-                isInText = false;
-            token = i + 1;
-            continue;
-        }
-        if (isBlank(c)) {
-            token = i + 1;
-            continue;
-        }
-        const bool isOpening = c == '[' || c == '{';
-        const bool isClosing = c == ']' || c == '}';
-        const bool isDivider = c == ',' || c == ':';
-        if (isDivider || ((before == '[' || before == '{') && !isClosing))
-            ++outline.entries;
-        if (isOpening && ++depth > limits::kNesting) {
-            outline.error = beyondLimit(FileProblem::nestedTooDeep, limits::kNesting, text, i);
-            break;
-        }
-        if (isClosing)
-            --depth;
-        isInText = c == '"';
-        if (isOpening || isClosing || isDivider || isInText)
-            token = i + 1;
-        else if (i - token == limits::kNumberCharacters && startsNumber(text[token])) {
-            outline.error = beyondLimit(FileProblem::numberTooLong, limits::kNumberCharacters, text, token);
-            break;
-        }
-        before = c;
+    bool skipDigits() {
+        const std::size_t start = at_;
+        at_ = std::min(text_.find_first_not_of("0123456789", at_), text_.size());
+        return at_ > start;
     }
-    return outline;
-}
-
-/// Receives nlohmann's events and lays them on the tape.
-class TapeBuilder {
-  public:
-    explicit TapeBuilder(JsonTape& tape)
-        : tape_(tape) {}
-
-    bool null() { return add(JsonKind::null, 0); }
-    bool boolean(bool value) { return add(JsonKind::boolean, value ? 1 : 0); }
-    // The library calls this for tokens with a sign only: its integer 0 was "-0".
-    bool number_integer(std::int64_t value) {
-        return add(JsonKind::number, value == 0 ? -0.0 : static_cast<double>(value));
+    /// Whether anything stands behind the blanks that come next.
+    bool isMore() {
+        at_ = std::min(text_.find_first_not_of(" \n\r\t", at_), text_.size());
+        return at_ < text_.size();
     }
-    bool number_unsigned(std::uint64_t value) { return add(JsonKind::number, static_cast<double>(value)); }
-    bool number_float(double value, const std::string& token) {
-        // Leaves the library's value where the token is too small for it.
-        std::from_chars(token.data(), token.data() + token.size(), value);
-        return add(JsonKind::number, value);
-    }
-    bool string(const std::string& value) {
-        JsonEntry entry;
-        entry.text = {static_cast<std::uint32_t>(tape_.texts.size()), static_cast<std::uint32_t>(value.size())};
-        entry.kind = JsonKind::text;
-        entry.next = nextIndex() + 1;
-        tape_.texts += value;
-        tape_.entries.push_back(entry);
+    bool skipBehindBlanks(std::string_view c) { return isMore() && skip(c); }
+
+    bool add(JsonKind kind, double number = 0) {
+        JsonEntry& entry = tape_.entries.emplace_back();
+        entry.number = number;
+        entry.kind = kind;
+        entry.next = static_cast<std::uint32_t>(tape_.entries.size());
         return true;
     }
-    bool key(const std::string& value) { return string(value); }
-    bool start_object(std::size_t) { return open(JsonKind::object); }
-    bool start_array(std::size_t) { return open(JsonKind::list); }
-    bool end_object() { return close(); }
-    bool end_array() { return close(); }
-    // Binary values exist in other formats of the library only.
-    bool binary(const nlohmann::json::binary_t&) { return false; }
-    bool parse_error(std::size_t byte, const std::string&, const nlohmann::detail::exception& error) {
-        constexpr int kNumberOverflow = 406; // of the library's documentation
-        errorByte_ = byte;
-        isOverflow_ = error.id == kNumberOverflow;
+    bool refuse(FileProblem problem, int limit, std::size_t byte) {
+        error_ = errorAtByte(problem, text_, byte);
+        error_->numbers = {static_cast<double>(limit)};
         return false;
     }
 
-    /// Why the library stopped: a number beyond the range of doubles is JSON, and so has a place.
-    [[nodiscard]] FileError error(std::string_view text) const {
-        if (!isOverflow_)
-            return errorAtByte(FileProblem::notJson, text, std::max<std::size_t>(errorByte_, 1) - 1);
-        FileError error;
-        error.problem = FileProblem::numberOutOfRange;
-        error.place = placeOfNext();
-        error.numbers = {-limits::kNumber, limits::kNumber};
-        return error;
-    }
-
-  private:
-    [[nodiscard]] std::uint32_t nextIndex() const { return static_cast<std::uint32_t>(tape_.entries.size()); }
-    bool add(JsonKind kind, double number) {
-        JsonEntry entry;
-        entry.number = number;
-        entry.kind = kind;
-        entry.next = nextIndex() + 1;
-        tape_.entries.push_back(entry);
-        return true;
-    }
-    /// The place of the value that would come next.
-    [[nodiscard]] std::string placeOfNext() const {
-        std::string place;
-        for (std::size_t depth = 0; depth < open_.size(); ++depth) {
-            const std::uint32_t end = depth + 1 < open_.size() ? open_[depth + 1] : nextIndex();
-            if (tape_.entries[open_[depth]].kind == JsonKind::object) {
-                appendKey(place, textOf(tape_, end - 1));
-                continue;
-            }
-            std::size_t position = 0;
-            for (std::uint32_t i = open_[depth] + 1; i < end; i = tape_.entries[i].next)
-                ++position;
-            appendPosition(place, position);
+    bool readValue() {
+        if (!isMore())
+            return false;
+        switch (text_[at_]) {
+        case '{':
+            return readMembers(JsonKind::object, "}");
+        case '[':
+            return readMembers(JsonKind::list, "]");
+        default:
+            return readScalar();
         }
-        return place;
     }
-    bool open(JsonKind kind) {
-        open_.push_back(nextIndex());
-        return add(kind, 0);
-    }
-    bool close() {
-        tape_.entries[open_.back()].next = nextIndex();
-        open_.pop_back();
+    bool readMembers(JsonKind kind, std::string_view end) {
+        if (++depth_ > limits::kNesting)
+            return refuse(FileProblem::nestedTooDeep, limits::kNesting, at_);
+        ++at_;
+        const std::size_t index = tape_.entries.size();
+        add(kind);
+        bool isAtEnd = skipBehindBlanks(end);
+        while (!isAtEnd) {
+            if ((kind == JsonKind::object && !readKey()) || !readValue())
+                return false;
+            isAtEnd = skipBehindBlanks(end);
+            if (!isAtEnd && !skip(","))
+                return false;
+        }
+        --depth_;
+        tape_.entries[index].next = static_cast<std::uint32_t>(tape_.entries.size());
         return true;
     }
+    /// A word or a number in its place is read to its end.
+    bool readKey() {
+        return isMore() && readScalar() && tape_.entries.back().kind == JsonKind::text && skipBehindBlanks(":");
+    }
+    bool readScalar() {
+        switch (text_[at_]) {
+        case '"':
+            return readText();
+        case 'n':
+            return readWord("null") && add(JsonKind::null);
+        case 't':
+            return readWord("true") && add(JsonKind::boolean, 1);
+        case 'f':
+            return readWord("false") && add(JsonKind::boolean, 0);
+        default:
+            return readNumber();
+        }
+    }
+    bool readWord(std::string_view word) {
+        return std::ranges::all_of(word, [this](const char& c) { return skip({&c, 1}); });
+    }
+    bool readNumber() {
+        const std::size_t start = at_;
+        skip("-");
+        if (!skip("0") && !skipDigits())
+            return false;
+        if (skip(".") && !skipDigits())
+            return false;
+        if (skip("eE") && (skip("+-"), !skipDigits()))
+            return false;
+        if (at_ - start > static_cast<std::size_t>(limits::kNumberCharacters))
+            return refuse(FileProblem::numberTooLong, limits::kNumberCharacters, start);
+        return add(JsonKind::number, nearestDouble(text_.substr(start, at_ - start)));
+    }
+    bool readText() {
+        const std::size_t start = tape_.texts.size();
+        ++at_;
+        while (!skip("\""))
+            if (!(skip("\\") ? readEscape() : readCharacter()))
+                return false;
+        add(JsonKind::text);
+        tape_.entries.back().text = {static_cast<std::uint32_t>(start),
+                                     static_cast<std::uint32_t>(tape_.texts.size() - start)};
+        return true;
+    }
+    bool readCharacter() {
+        if (at_ == text_.size())
+            return false;
+        const Utf8Character character = firstCharacter(text_.substr(at_));
+        if (character.codePoint.value_or(0) < U' ')
+            return false;
+        tape_.texts += character.bytes;
+        at_ += character.bytes.size();
+        return true;
+    }
+    bool readEscape() {
+        constexpr std::string_view kLetters = "\"\\/bfnrt";
+        constexpr std::string_view kMeanings = "\"\\/\b\f\n\r\t";
+        if (skip(kLetters)) {
+            tape_.texts += kMeanings[kLetters.find(text_[at_ - 1])];
+            return true;
+        }
+        std::uint32_t c = 0;
+        if (!skip("u") || !readCodeUnit(c))
+            return false;
+        if (c >= 0xd800 && c < 0xdc00) {
+            std::uint32_t low = 0;
+            if (!skip("\\") || !skip("u") || !readCodeUnit(low) || low < 0xdc00 || low >= 0xe000)
+                return false;
+            c = 0x10000 + (c - 0xd800) * 0x400 + (low - 0xdc00);
+        } else if (c >= 0xdc00 && c < 0xe000) {
+            return false;
+        }
+        appendCharacter(tape_.texts, c);
+        return true;
+    }
+    bool readCodeUnit(std::uint32_t& unit) {
+        const std::string_view digits = text_.substr(at_, 4);
+        const char* const end = digits.data() + digits.size();
+        at_ += digits.size();
+        return digits.size() == 4 && std::from_chars(digits.data(), end, unit, 16).ptr == end;
+    }
 
-    JsonTape& tape_;
-    std::vector<std::uint32_t> open_;
-    std::size_t errorByte_ = 0;
-    bool isOverflow_ = false;
+    std::string_view text_;
+    std::size_t at_ = 0; ///< where it goes on
+    int depth_ = 0;
+    JsonTape tape_;
+    std::optional<FileError> error_;
 };
 
 } // namespace
@@ -230,23 +213,7 @@ std::string_view textOf(const JsonTape& tape, std::uint32_t index) {
 std::variant<JsonTape, FileError> parseJson(std::string_view text) {
     if (text.size() > limits::kFileBytes)
         return errorOfFile(FileProblem::tooLarge, {static_cast<double>(limits::kFileBytes)});
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // the library would take it in silence
-    if (text.starts_with(kByteOrderMark))
-        return errorAtByte(FileProblem::notJson, text, 0);
-    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) // and this for the end
-        return errorAtByte(FileProblem::notJson, text, nul);
-    const Outline outline = outlineOf(text);
-    if (outline.error)
-        return *outline.error;
-    JsonTape tape;
-    // Whatever a text that is no JSON says: an entry takes at least two bytes, itself and what divides it from the
-    // next.
-    tape.entries.reserve(std::min(outline.entries, text.size() / 2 + 1));
-    TapeBuilder builder(tape);
-    const PointLocale pointLocale;
-    if (!nlohmann::json::sax_parse(BlankedPlace(text.data()), BlankedPlace(text.data() + text.size()), &builder))
-        return builder.error(text);
-    return tape;
+    return JsonReader(text).read();
 }
 
 } // namespace kriva

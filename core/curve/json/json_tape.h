@@ -3,10 +3,10 @@
 #include "core/curve/file_error.h"
 
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <string_view>
 #include <variant>
-#include <vector>
 
 namespace kriva {
 
@@ -28,19 +28,20 @@ struct JsonEntry {
     JsonKind kind = JsonKind::null;
 };
 
-/// A parsed JSON text as one flat list of values in the order of the text: 16 bytes a value, so that any file within
-/// the limits stays within memory.
+/// A parsed JSON text as one flat list of values in the order of the text: 16 bytes a value, and no more while it
+/// grows, so that any file within the limits stays within memory.
 struct JsonTape {
-    std::vector<JsonEntry> entries;
+    std::deque<JsonEntry> entries;
     std::string texts;
 };
 
 /// The text or key that stands at an index of the tape.
 [[nodiscard]] std::string_view textOf(const JsonTape& tape, std::uint32_t index);
 
-/// Reads strict JSON in UTF-8 without a byte order mark, at most kFileBytes long and 64 levels deep; refuses anything
-/// else with line and column, but a number beyond the range of doubles with its place. Numbers are the nearest doubles,
-/// whatever the process's locale; -0 keeps its sign.
+/// Reads strict JSON (RFC 8259) in UTF-8 without a byte order mark, at most kFileBytes long and 64 levels deep, with
+/// numbers of at most 1,000 characters; refuses anything else with line and column. Numbers are the nearest doubles,
+/// whatever the process's locale: -0 keeps its sign, and what is beyond the range of doubles is infinite, which
+/// JsonNode refuses with its place.
 [[nodiscard]] std::variant<JsonTape, FileError> parseJson(std::string_view text);
 
 } // namespace kriva

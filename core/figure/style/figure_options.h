@@ -4,7 +4,10 @@
 #include "core/figure/style/page.h"
 #include "core/figure/style/theme.h"
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 /// How a figure is written: chosen in the editor and remembered with the view of a sheet, or on the command line.
@@ -26,6 +29,17 @@ struct DrawingOptions {
 
 enum class FigureFormat { svg, pdf, png, tikz, csv };
 
+/// Names in documents and on the command line, in the order of choices. Files of a format end with a point and its
+/// name.
+inline const std::initializer_list<std::pair<std::string_view, FigureFormat>> kFormatNames = {
+    {"svg", FigureFormat::svg},
+    {"pdf", FigureFormat::pdf},
+    {"png", FigureFormat::png},
+    {"tex", FigureFormat::tikz},
+    {"csv", FigureFormat::csv}};
+inline const std::initializer_list<std::pair<std::string_view, Theme>> kThemeNames = {{"light", Theme::light},
+                                                                                      {"dark", Theme::dark}};
+
 enum class TikzKind {
     standalone, ///< a document of its own, one page as large as the figure
     fragment,   ///< a tikzpicture for \input; the document loads tikz
@@ -38,7 +52,8 @@ inline constexpr int kMostDecimals = 12;
 inline constexpr int kLeastDpi = 10;
 inline constexpr int kUsualDpi = 300;
 inline constexpr int kMostDpi = 4'800;
-inline constexpr int kMostFrames = 200; ///< of a strip or an animation
+inline constexpr int kMostFrames = 200;       ///< of a strip or an animation
+inline constexpr double kMostStage = 100'000; ///< that a frame shows
 inline constexpr double kLeastFrameSeconds = 0.01;
 inline constexpr double kMostFrameSeconds = 60;
 
@@ -58,5 +73,10 @@ struct FigureFileOptions {
     double frameSeconds = 0.5;           ///< of each
     friend bool operator==(const FigureFileOptions&, const FigureFileOptions&) = default;
 };
+
+/// Whether the figure stands on paper, which has a colour; else what lies behind it is seen.
+[[nodiscard]] inline bool hasPaper(const FigureFileOptions& options) {
+    return options.format != FigureFormat::png || !options.isTransparent;
+}
 
 } // namespace kriva

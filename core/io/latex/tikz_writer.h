@@ -4,7 +4,6 @@
 
 namespace kriva {
 
-/// What TeX is to make of the figure.
 /// TeX has no longer lengths: 16383 of its points, in millimetres, and a little room.
 inline constexpr double kMostTexSide = 5700;
 

@@ -2,8 +2,9 @@
 
 #include "core/curve/text/utf8.h"
 
+#include <array>
 #include <charconv>
-#include <string>
+#include <cmath>
 
 namespace kriva {
 namespace {
@@ -61,6 +62,24 @@ std::optional<TypedNumber> readTypedNumber(std::string_view text) {
     if (error != std::errc() || end != number.data() + number.size())
         return {};
     return typed;
+}
+
+std::string writeTypedNumber(double value, std::string_view decimalSign) {
+    constexpr double kSmallestFixed = 1e-5;
+    constexpr double kLargestFixed = 1e16;
+    const double size = std::abs(value);
+    const bool isFixed = size == 0 || (size >= kSmallestFixed && size < kLargestFixed) || !std::isfinite(value);
+    const auto format = isFixed ? std::chars_format::fixed : std::chars_format::scientific;
+    std::array<char, 32> digits; // 17 of them, a sign, a point and an exponent, or zeros in place of that
+    std::string text(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value, format).ptr);
+    if (const std::size_t exponent = text.find('e'); exponent != std::string::npos) {
+        // "1e-07" as people write it: "1e-7"; "1e+20" as "1e20".
+        const std::size_t from = exponent + (text[exponent + 1] == '-' ? 2 : 1);
+        text.erase(from, text.find_first_not_of("+0", from) - from);
+    }
+    if (const std::size_t point = text.find('.'); point != std::string::npos)
+        text.replace(point, 1, decimalSign);
+    return text;
 }
 
 } // namespace kriva

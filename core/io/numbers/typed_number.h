@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace kriva {
@@ -16,5 +17,9 @@ struct TypedNumber {
 /// ("1.234,5", "1 234"), words ("nan"), trailing text, numbers outside the range of doubles ("1e999"), and more than
 /// 4,096 bytes.
 [[nodiscard]] std::optional<TypedNumber> readTypedNumber(std::string_view text);
+
+/// The fewest digits that readTypedNumber() reads back as the same double, with an ASCII minus. Powers of ten appear
+/// only below 1e-5 and from 1e16 on ("1e-7").
+[[nodiscard]] std::string writeTypedNumber(double value, std::string_view decimalSign);
 
 } // namespace kriva

@@ -9,10 +9,15 @@ Request parsed(const char* line) {
     return parseCommandLine(QString::fromUtf8(line).split(QLatin1Char(' '), Qt::SkipEmptyParts));
 }
 
-bool isUsageError(const char* line) {
+/// Why a line is refused; empty where it is not.
+QString refusal(const char* line) {
     const Request request = parsed(line);
     const UsageError* error = std::get_if<UsageError>(&request);
-    return error != nullptr && !error->sentence.isEmpty();
+    return error ? error->sentence : QString();
+}
+
+bool isUsageError(const char* line) {
+    return !refusal(line).isEmpty();
 }
 
 TEST(CommandLine, opensTheEditorWithoutACommand) {
@@ -109,6 +114,8 @@ TEST(CommandLine, understandsReport) {
 TEST(CommandLine, answersHelpAndVersionWhateverElseStandsThere) {
     EXPECT_TRUE(std::holds_alternative<HelpRequest>(parsed("export -h")));
     EXPECT_TRUE(std::holds_alternative<VersionRequest>(parsed("--version")));
+    EXPECT_TRUE(std::holds_alternative<HelpRequest>(parsed("--help --foo")));
+    EXPECT_TRUE(std::holds_alternative<HelpRequest>(parsed("--help export -o")));
 }
 
 TEST(CommandLine, refusesWhatItDoesNotUnderstand) {
@@ -137,6 +144,17 @@ TEST(CommandLine, refusesWhatItDoesNotUnderstand) {
                              "a.kriva --sheet spline",
                              "--help=now"})
         EXPECT_TRUE(isUsageError(line)) << line;
+}
+
+TEST(CommandLine, saysWhichOptionIsWrong) {
+    EXPECT_EQ(refusal("report a --foo"), QStringLiteral("unknown option --foo"));
+    EXPECT_EQ(refusal("-x"), QStringLiteral("unknown option -x"));
+    EXPECT_EQ(refusal("--help=now --version"), QStringLiteral("unknown option --help=now"));
+    EXPECT_EQ(refusal("export a -o"), QStringLiteral("a value is missing behind -o"));
+    EXPECT_EQ(refusal("export a -o b.svg --outlines --dpi"), QStringLiteral("a value is missing behind --dpi"));
+    EXPECT_EQ(refusal("report a -o b.svg"), QStringLiteral("the option --output does not belong here"));
+    EXPECT_EQ(refusal("a.kriva --outlines"), QStringLiteral("the option --outlines does not belong here"));
+    EXPECT_EQ(refusal("report a --sheet=x=y"), QStringLiteral("there is no sheet x=y"));
 }
 
 TEST(CommandLine, findsTheLanguageBeforeAnythingIsSaid) {

@@ -15,22 +15,9 @@ namespace {
 /// Holds the largest double in fixed notation with 17 decimals: a sign, 309 digits, a point, 17 digits.
 using Digits = std::array<char, 330>;
 
-constexpr double kSmallestFixed = 1e-5;
-constexpr double kLargestFixed = 1e16;
-
 [[nodiscard]] QString localized(std::string_view digits, const QLocale& locale) {
     QString text = QString::fromLatin1(digits.data(), static_cast<qsizetype>(digits.size()));
     return text.replace(u'.', locale.decimalPoint());
-}
-
-/// "1e-07" as people write it: "1e-7"; "1e+20" as "1e20".
-[[nodiscard]] std::string withShortExponent(std::string_view digits) {
-    const auto exponent = digits.find('e');
-    std::string text(digits.substr(0, exponent + 1));
-    if (digits[exponent + 1] == '-')
-        text += '-';
-    text += digits.substr(digits.find_first_not_of("+-0", exponent + 1));
-    return text;
 }
 
 } // namespace
@@ -42,13 +29,7 @@ std::optional<double> parseNumber(QStringView text) {
 }
 
 QString formatNumber(double value, const QLocale& locale) {
-    Digits digits;
-    const double size = std::abs(value);
-    const bool fixed = size == 0 || (size >= kSmallestFixed && size < kLargestFixed) || !std::isfinite(value);
-    const auto format = fixed ? std::chars_format::fixed : std::chars_format::scientific;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, format).ptr;
-    const std::string_view written(digits.data(), end);
-    return localized(fixed ? std::string(written) : withShortExponent(written), locale);
+    return QString::fromStdString(writeTypedNumber(value, locale.decimalPoint().toStdString()));
 }
 
 QString formatNumber(double value, int decimals, const QLocale& locale) {

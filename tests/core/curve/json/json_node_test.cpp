@@ -69,10 +69,28 @@ TEST(JsonNode, refusesNumbersPastTheLimit) {
     expectRefusals({"[1000000000.0000001,0]", "[0,-1e300]"}, FileProblem::numberOutOfRange, point);
 }
 
+TEST(JsonNode, namesThePlaceOfANumberBeyondTheRangeOfDoubles) {
+    const auto error = refusal(R"([{},[0,[7],-1e999]])", [](const JsonNode& node) {
+        node.forEachElement([](const JsonNode& element) {
+            if (element.place() == "[1]")
+                element.forEachElement([](const JsonNode& last) {
+                    if (last.place() != "[1][1]")
+                        (void)last.number();
+                });
+        });
+    });
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->problem, FileProblem::numberOutOfRange);
+    EXPECT_EQ(error->place, "[1][2]");
+    EXPECT_EQ(problemOf("1e999", [](const JsonNode& node) { (void)node.wholeNumber(0, 9); }),
+              FileProblem::expectedWholeNumber);
+    EXPECT_EQ(problemOf("[0,1e999]", [](const JsonNode& node) { (void)node.point(); }), FileProblem::numberOutOfRange);
+}
+
 TEST(JsonNode, refusesTheEndsOfAnOpenRange) {
     const Read between = [](const JsonNode& node) { (void)node.numberBetween(0, 1); };
     EXPECT_FALSE(refusal("0.9999999999999999", between));
-    expectRefusals({"0", "1", "-0.0", "2"}, FileProblem::numberOutOfOpenRange, between);
+    expectRefusals({"0", "1", "-0.0", "2", "1e999"}, FileProblem::numberOutOfOpenRange, between);
     EXPECT_EQ(problemOf("null", between), FileProblem::expectedNumber);
 }
 

@@ -1,5 +1,5 @@
 #include "core/curve/limits.h"
-#include "core/io/tables/table_reader.h"
+#include "core/io/tables/points_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ std::string repeated(std::string_view text, std::size_t count) {
     return all;
 }
 
-TEST(TableReader, takesEverySeparatorAndBothDecimalSigns) {
+TEST(PointsReader, takesEverySeparatorAndBothDecimalSigns) {
     const Points expected{{0.5, 1}, {-2, 0.25}};
     for (const char* text : {
              "0.5\t1\n-2\t0.25",
@@ -55,7 +55,7 @@ TEST(TableReader, takesEverySeparatorAndBothDecimalSigns) {
         EXPECT_EQ(readPoints(text), expected) << text;
 }
 
-TEST(TableReader, refusesWhatIsNoTableOfTwoNumbers) {
+TEST(PointsReader, refusesWhatIsNoTableOfTwoNumbers) {
     for (const char* text : {
              "",
              " \n \n",
@@ -77,14 +77,14 @@ TEST(TableReader, refusesWhatIsNoTableOfTwoNumbers) {
         EXPECT_EQ(readPoints(text), std::nullopt) << text;
 }
 
-TEST(TableReader, passesOverALineThatNamesTheColumns) {
+TEST(PointsReader, passesOverALineThatNamesTheColumns) {
     for (const char* text : {"x\ty\n1\t2", "x,y\n1,2", "време;път\n1;2", "\nx y\n1 2"})
         EXPECT_EQ(readPoints(text), (Points{{1, 2}})) << text;
     for (const char* text : {"x\ty", "x\ty\nx\ty\n1\t2", "x\t\n1\t2", "1\ty\n1\t2"})
         EXPECT_EQ(readPoints(text), std::nullopt) << text;
 }
 
-TEST(TableReader, readsTheCurvesThatKrivaWrites) {
+TEST(PointsReader, readsTheCurvesThatKrivaWrites) {
     EXPECT_EQ(readCurves("curve,point,x,y\n0,0,0.5,1\n0,1,2,-3\n2,0,7,8\n"),
               (std::vector<Points>{{{0.5, 1}, {2, -3}}, {{7, 8}}}));
     EXPECT_EQ(readCurves("c;p;x;y\n0;0;0,5;1"), (std::vector<Points>{{{0.5, 1}}}));
@@ -92,25 +92,25 @@ TEST(TableReader, readsTheCurvesThatKrivaWrites) {
     EXPECT_FALSE(readCurves("c,p,x,y\n0,0,1,1\n1,2"));
 }
 
-TEST(TableReader, refusesACommaBetweenNumbersWhereItIsADecimalSignElsewhere) {
+TEST(PointsReader, refusesACommaBetweenNumbersWhereItIsADecimalSignElsewhere) {
     EXPECT_EQ(readPoints("0,5\t1\n3,4"), std::nullopt);
     EXPECT_EQ(readPoints("3,4\n0,5 1"), std::nullopt);
 }
 
-TEST(TableReader, refusesBothDecimalSignsInOneTableAtTheFirstOfTheOtherKind) {
+TEST(PointsReader, refusesBothDecimalSignsInOneTableAtTheFirstOfTheOtherKind) {
     EXPECT_EQ(refusal("1,5;2\n1.5;2\n"), (TableError{TableProblem::mixedDecimals, 2, 1, "1.5"}));
     EXPECT_EQ(refusal("1;2\n1.5\t3\n4\t2,5\n"), (TableError{TableProblem::mixedDecimals, 3, 3, "2,5"}));
     EXPECT_EQ(refusal("1,5 2.5"), (TableError{TableProblem::mixedDecimals, 1, 5, "2.5"}));
     EXPECT_EQ(readPoints("1, 2.5\n3, 4"), (Points{{1, 2.5}, {3, 4}})) << "its commas are separators";
 }
 
-TEST(TableReader, takesNumbersUpToTheLimitOfTheModel) {
+TEST(PointsReader, takesNumbersUpToTheLimitOfTheModel) {
     EXPECT_EQ(readPoints("1e9\t-1e9"), (Points{{limits::kNumber, -limits::kNumber}}));
     EXPECT_EQ(readPoints("1000000000.5\t0"), std::nullopt);
     EXPECT_EQ(readPoints("0\t-1000000000.5"), std::nullopt);
 }
 
-TEST(TableReader, takesAsManyPointsAsACurveMayHave) {
+TEST(PointsReader, takesAsManyPointsAsACurveMayHave) {
     const std::string most = "x\ty\n" + repeated("1\t2\n", limits::kPointsInCurve);
     const auto points = readPoints(most);
     ASSERT_TRUE(points);
@@ -121,7 +121,7 @@ TEST(TableReader, takesAsManyPointsAsACurveMayHave) {
               (TableError{TableProblem::tooManyPointsInCurve, kLine - 1, 1, {}}));
 }
 
-TEST(TableReader, takesAsManyPointsAsASheetMayHave) {
+TEST(PointsReader, takesAsManyPointsAsASheetMayHave) {
     constexpr std::size_t kCurves = limits::kPointsInSheet / limits::kPointsInCurve;
     std::string most = "c\tp\tx\ty\n";
     for (std::size_t curve = 0; curve < kCurves; ++curve)
@@ -134,7 +134,7 @@ TEST(TableReader, takesAsManyPointsAsASheetMayHave) {
     EXPECT_EQ(refusal(most + "9\t0\t1\t2\n").line, kLine);
 }
 
-TEST(TableReader, saysWhereItIsRefusedAndWhy) {
+TEST(PointsReader, saysWhereItIsRefusedAndWhy) {
     EXPECT_EQ(refusal(" \n\n"), TableError{});
     EXPECT_EQ(refusal("x\t1\n1\t2"), (TableError{TableProblem::noNumber, 1, 1, "x"}));
     EXPECT_EQ(refusal("1\t2\n\n3\tfour"), (TableError{TableProblem::noNumber, 3, 3, "four"}));
@@ -144,12 +144,12 @@ TEST(TableReader, saysWhereItIsRefusedAndWhy) {
     EXPECT_EQ(refusal("1\t2\n3;"), (TableError{TableProblem::noNumber, 2, 3, {}}));
 }
 
-TEST(TableReader, keepsOnlyTheBeginningOfALongCell) {
+TEST(PointsReader, keepsOnlyTheBeginningOfALongCell) {
     EXPECT_EQ(refusal(repeated("a", 20)).cell, repeated("a", 20));
     EXPECT_EQ(refusal(repeated("\u0431", 5000)).cell, repeated("\u0431", 20) + "…");
 }
 
-TEST(TableReader, refusesWhatFillsAFileWithoutBeingATable) {
+TEST(PointsReader, refusesWhatFillsAFileWithoutBeingATable) {
     constexpr std::size_t kBytes = 2 << 20;
     EXPECT_EQ(refusal(repeated("\n", kBytes)).problem, TableProblem::empty);
     EXPECT_EQ(refusal(repeated("\u2003", kBytes)).problem, TableProblem::empty);

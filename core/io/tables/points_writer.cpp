@@ -1,6 +1,7 @@
-#include "core/io/tables/points_csv.h"
+#include "core/io/tables/points_writer.h"
 
 #include "core/curve/table.h"
+#include "core/io/numbers/typed_number.h"
 #include "core/io/tables/table_writer.h"
 
 namespace kriva {
@@ -17,6 +18,16 @@ std::string writePointsCsv(const Sheet& sheet, std::optional<std::size_t> curve)
         }
     }
     return writeDelimited(table, {}, ',');
+}
+
+std::string writePointsTable(std::span<const Point> points, std::string_view decimalSign) {
+    std::string text;
+    for (const Point p : points) {
+        if (!text.empty())
+            text += '\n';
+        text += writeTypedNumber(p.x, decimalSign) + '\t' + writeTypedNumber(p.y, decimalSign);
+    }
+    return text;
 }
 
 } // namespace kriva

@@ -1,4 +1,4 @@
-#include "core/io/tables/table_reader.h"
+#include "core/io/tables/points_reader.h"
 
 #include "core/curve/limits.h"
 #include "core/curve/text/utf8.h"

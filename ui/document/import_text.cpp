@@ -1,10 +1,10 @@
-#include "ui/clipboard/points_table.h"
+#include "ui/document/import_text.h"
 
 #include "core/curve/limits.h"
 #include "ui/base/language/number_text.h"
+#include "ui/document/error_text.h"
 
 #include <QCoreApplication>
-#include <QStringList>
 
 namespace kriva::ui {
 namespace {
@@ -36,18 +36,20 @@ class TableErrors {
     static QString at(const TableError& error) { return tr("line %1, column %2").arg(error.line).arg(error.column); }
 };
 
-} // namespace
-
-QString pointsTable(const Points& points) {
-    QStringList lines;
-    for (const Point p : points)
-        lines.append(formatNumber(p.x) + QLatin1Char('\t') + formatNumber(p.y));
-    return lines.join(QLatin1Char('\n'));
-}
-
-QString errorText(const TableError& error) {
+QString tableErrorText(const TableError& error) {
     const QString reason = TableErrors::reason(error);
     return error.line == 0 ? reason : QStringLiteral("%1: %2").arg(TableErrors::at(error), reason);
+}
+
+} // namespace
+
+std::variant<std::vector<ImportedPath>, QString> readImport(const QByteArray& text) {
+    auto read = readImportedText({text.constData(), static_cast<std::size_t>(text.size())});
+    if (const FileError* error = std::get_if<FileError>(&read))
+        return errorText(*error);
+    if (const TableError* error = std::get_if<TableError>(&read))
+        return tableErrorText(*error);
+    return std::get<std::vector<ImportedPath>>(std::move(read));
 }
 
 } // namespace kriva::ui
