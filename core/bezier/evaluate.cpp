@@ -1,6 +1,6 @@
 #include "core/bezier/evaluate.h"
 
-#include "core/numbers/lanes.h"
+#include "core/bezier/place_lanes.h"
 #include "core/polynomial/bernstein_polynomial.h"
 #include "core/polynomial/casteljau.h"
 
@@ -52,36 +52,17 @@ template <class EntryAt>
 // The middle binomial coefficient of the highest degree is a double, times any coordinate too.
 constexpr std::size_t kLongest = 950;
 
-struct PlaceLanes {
-    Lanes x;
-    Lanes y;
-
-    [[gnu::always_inline]] static PlaceLanes at(Vector v) {
-        PlaceLanes place;
-        spread(v.x, place.x);
-        spread(v.y, place.y);
-        return place;
-    }
-    [[gnu::always_inline]] void write(Point* points) const {
-        const Lanes even = __builtin_shufflevector(x, y, 0, 4, 2, 6);
-        const Lanes odd = __builtin_shufflevector(x, y, 1, 5, 3, 7);
-        store(__builtin_shufflevector(even, odd, 0, 1, 4, 5), &points[0].x);
-        store(__builtin_shufflevector(even, odd, 2, 3, 6, 7), &points[2].x);
-    }
-};
-
 /// Where values are measured from, and where the curve ends, which the way back from vectors would round.
 struct EndLanes {
     PlaceLanes start;
     PlaceLanes end;
 
     [[gnu::always_inline]] explicit EndLanes(std::span<const Point> curve)
-        : start(PlaceLanes::at(curve.front() - Point{}))
-        , end(PlaceLanes::at(curve.back() - Point{})) {}
+        : start(PlaceLanes::at(curve.front()))
+        , end(PlaceLanes::at(curve.back())) {}
     [[gnu::always_inline]] PlaceLanes placeOf(const Lanes& t, const PlaceLanes& value) const {
-        const Lanes x = start.x + value.x;
-        const Lanes y = start.y + value.y;
-        return {t == 0 ? start.x : t == 1 ? end.x : x, t == 0 ? start.y : t == 1 ? end.y : y};
+        const PlaceLanes place = start + value;
+        return {t == 0 ? start.x : t == 1 ? end.x : place.x, t == 0 ? start.y : t == 1 ? end.y : place.y};
     }
 };
 
@@ -118,12 +99,12 @@ void evaluateShort(std::span<const Point> curve, std::span<const double> ts, Poi
             curve, ts, points, [&](const Lanes& t) __attribute__((always_inline)) {
                 const Lanes s = 1 - t;
                 PlaceLanes row[size];
-                row[0] = {t * controls[1].x, t * controls[1].y};
+                row[0] = t * controls[1];
                 for (std::size_t i = 1; i + 1 < size; ++i)
-                    row[i] = {s * controls[i].x + t * controls[i + 1].x, s * controls[i].y + t * controls[i + 1].y};
+                    row[i] = s * controls[i] + t * controls[i + 1];
                 for (std::size_t count = size - 2; count > 0; --count)
                     for (std::size_t i = 0; i < count; ++i)
-                        row[i] = {s * row[i].x + t * row[i + 1].x, s * row[i].y + t * row[i + 1].y};
+                        row[i] = s * row[i] + t * row[i + 1];
                 return row[0];
             });
     });
@@ -143,7 +124,7 @@ void evaluateLong(std::span<const Point> curve, std::span<const double> ts, Poin
                 Lanes power = t;
                 PlaceLanes sum{};
                 for (const Vector v : scaled.subspan(1)) {
-                    sum = {s * sum.x + power * v.x, s * sum.y + power * v.y};
+                    sum = s * sum + power * PlaceLanes::at(v);
                     power *= t;
                 }
                 return sum;
