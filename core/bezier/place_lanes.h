@@ -3,6 +3,8 @@
 #include "core/geometry/point.h"
 #include "core/numbers/lanes.h"
 
+#include <array>
+
 namespace kriva {
 
 /// As many places or vectors as doubles fit into a register, for work on all of them at once: see workByLanes().
@@ -25,6 +27,11 @@ struct PlaceLanes {
         const Lanes odd = __builtin_shufflevector(x, y, 1, 5, 3, 7);
         store(__builtin_shufflevector(even, odd, 0, 1, 4, 5), &points[0].x);
         store(__builtin_shufflevector(even, odd, 2, 3, 6, 7), &points[2].x);
+    }
+    /// Each to its own point.
+    [[gnu::always_inline]] void write(const std::array<Point*, kLanes>& points) const {
+        for (std::size_t k = 0; k < kLanes; ++k)
+            *points[k] = {x[k], y[k]};
     }
 };
 

@@ -7,8 +7,10 @@
 /// the last bit as with one double after the other, since no operation is contracted.
 namespace kriva {
 
-using Lanes [[gnu::vector_size(32)]] = double;
+// Aligned in all functions as in those for the widest registers: GCC aligns less where these are not in use.
+using Lanes [[gnu::vector_size(32), gnu::aligned(32)]] = double;
 inline constexpr std::size_t kLanes = sizeof(Lanes) / sizeof(double);
+static_assert(alignof(Lanes) == sizeof(Lanes));
 
 // Lanes are handed over by reference: by value their way depends on the processor for which a function is compiled.
 
