@@ -1,5 +1,6 @@
 #include "core/bezier/elevate.h"
 
+#include "core/bezier/place_lanes.h"
 #include "core/polynomial/casteljau.h"
 
 #include <algorithm>
@@ -69,20 +70,131 @@ Vector valueAtFraction(std::span<const Vector> vectors, std::size_t i, std::size
     });
 }
 
+/// One elevation by its formula. The nearer of two neighbours is moved towards the other, so that equal ones give
+/// themselves bit for bit.
+template <std::size_t size>
+[[gnu::always_inline]] inline void elevateOnce(const Point* curve, Point* raised) {
+    for (std::size_t i = 1; i < size; ++i) {
+        const bool isFirstHalf = 2 * i <= size;
+        const std::size_t near = isFirstHalf ? i : i - 1;
+        const double share = asDouble(isFirstHalf ? i : size - i) / asDouble(size);
+        const Vector v = curve[near] - curve[0];
+        raised[i] = curve[0] + (v + share * (curve[isFirstHalf ? i - 1 : i] - curve[0] - v));
+    }
+}
+
+/// The mean of vectors from one end of a curve of degree 1 to 3, where that end itself is zero, under their weights
+/// k steps from that end and r from the other, as many times too large as `all` says. All are whole numbers.
+template <std::size_t size>
+struct WeightsFromEnd;
+
+template <>
+struct WeightsFromEnd<2> {
+    static double all(double N) { return N; }
+    [[gnu::always_inline]] static PlaceLanes sum(const PlaceLanes* vectors, const Lanes& k, const Lanes&) {
+        return k * vectors[1];
+    }
+};
+
+template <>
+struct WeightsFromEnd<3> {
+    static double all(double N) { return N * (N - 1); }
+    [[gnu::always_inline]] static PlaceLanes sum(const PlaceLanes* vectors, const Lanes& k, const Lanes& r) {
+        return 2 * k * r * vectors[1] + k * (k - 1) * vectors[2];
+    }
+};
+
+template <>
+struct WeightsFromEnd<4> {
+    static double all(double N) { return N * (N - 1) * (N - 2); }
+    [[gnu::always_inline]] static PlaceLanes sum(const PlaceLanes* vectors, const Lanes& k, const Lanes& r) {
+        const Lanes triple = 3 * k * r;
+        const Lanes pairs = k * (k - 1);
+        return triple * (r - 1) * vectors[1] + triple * (k - 1) * vectors[2] + pairs * (k - 2) * vectors[3];
+    }
+};
+
+/// Works out the points first..last of the raised polygon, measured from the curve's start or from its end.
+template <std::size_t size>
+[[gnu::always_inline]] inline void elevateFromEnd(std::span<const Point> curve, bool isFromStart, std::size_t first,
+                                                  std::size_t last, std::span<Point> raised) {
+    const std::size_t N = raised.size() - 1;
+    const Point origin = curve.front();
+    const Vector end = isFromStart ? Vector{} : curve.back() - origin;
+    PlaceLanes vectors[size];
+    for (std::size_t j = 0; j < size; ++j)
+        vectors[j] = PlaceLanes::at(curve[isFromStart ? j : size - 1 - j] - origin - end);
+    const PlaceLanes from = PlaceLanes::at(end);
+    const PlaceLanes start = PlaceLanes::at(origin);
+    Lanes all;
+    spread(WeightsFromEnd<size>::all(asDouble(N)), all);
+    Lanes steps{0, 1, 2, 3};
+    steps += asDouble(first);
+    for (std::size_t i = first; i <= last; i += kLanes, steps += asDouble(kLanes)) {
+        const Lanes rest = asDouble(N) - steps;
+        const PlaceLanes sum = isFromStart ? WeightsFromEnd<size>::sum(vectors, steps, rest)
+                                           : WeightsFromEnd<size>::sum(vectors, rest, steps);
+        const PlaceLanes points = start + (from + PlaceLanes{sum.x / all, sum.y / all});
+        if (i + kLanes <= last + 1) {
+            points.write(&raised[i]);
+        } else {
+            Point some[kLanes];
+            points.write(some);
+            std::copy_n(some, last + 1 - i, &raised[i]);
+        }
+    }
+}
+
+template <std::size_t size>
+void elevateShort(std::span<const Point> curve, std::span<Point> raised) {
+    const std::size_t N = raised.size() - 1;
+    if (N == size)
+        return elevateOnce<size>(curve.data(), raised.data());
+    workByLanes([=]() __attribute__((always_inline)) {
+        elevateFromEnd<size>(curve, true, 1, N / 2, raised);
+        elevateFromEnd<size>(curve, false, N / 2 + 1, N - 1, raised);
+    });
+}
+
+void elevateLong(std::span<const Point> curve, std::span<Point> raised) {
+    RowBuffer<Vector> vectors(curve.size());
+    writeFromStart(curve, vectors.row());
+    for (std::size_t i = 1; i + 1 < raised.size(); ++i)
+        raised[i] = curve.front() + elevatedVector(vectors.row(), raised.size() - curve.size(), i);
+}
+
 } // namespace
+
+void elevate(std::span<const Point> curve, std::span<Point> raised) {
+    assert(!curve.empty() && raised.size() >= curve.size());
+    if (raised.size() == curve.size()) {
+        std::ranges::copy(curve, raised.begin());
+        return;
+    }
+    switch (curve.size()) {
+    case 1:
+        std::ranges::fill(raised, curve.front());
+        return;
+    case 2:
+        elevateShort<2>(curve, raised);
+        break;
+    case 3:
+        elevateShort<3>(curve, raised);
+        break;
+    case 4:
+        elevateShort<4>(curve, raised);
+        break;
+    default:
+        elevateLong(curve, raised);
+    }
+    raised.front() = curve.front();
+    raised.back() = curve.back();
+}
 
 Points elevated(std::span<const Point> curve, int times) {
     assert(!curve.empty() && times >= 0);
-    if (times == 0)
-        return Points(curve.begin(), curve.end());
-    std::vector<Vector> vectors(curve.size());
-    writeFromStart(curve, vectors);
-    const auto raised = static_cast<std::size_t>(times);
-    const std::size_t N = curve.size() - 1 + raised;
-    Points points(N + 1, curve.front());
-    for (std::size_t i = 1; i < N; ++i)
-        points[i] = curve.front() + elevatedVector(vectors, raised, i);
-    points.back() = curve.back();
+    Points points(curve.size() + static_cast<std::size_t>(times));
+    elevate(curve, points);
     return points;
 }
 

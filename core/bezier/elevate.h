@@ -11,6 +11,9 @@ namespace kriva {
 /// Source: Farin, Curves and Surfaces for CAGD, 5th ed., formula (6.3).
 [[nodiscard]] Points elevated(std::span<const Point> curve, int times);
 
+/// The same into an array of N + 1 points, apart from the curve's.
+void elevate(std::span<const Point> curve, std::span<Point> raised);
+
 /// max over i of |b_i - B(i/N)| for the control polygon of degree N of `curve` raised `times` times. It falls like
 /// 1/N; 0 for degree 0 and 1. O(n N), from unrounded control points.
 [[nodiscard]] double elevationGap(std::span<const Point> curve, int times);

@@ -9,6 +9,10 @@ namespace kriva {
 /// Source: Farin, Curves and Surfaces for CAGD, 5th ed., section 4.2.
 [[nodiscard]] Point evaluate(std::span<const Point> curve, double t);
 
+/// The points at many parameters, as many as `points` has room for: up to degree 5 to the last bit those of evaluate(),
+/// above each within 4 n roundings of the polygon's size, exact at 0 and 1 too. In O(n) each, four at a time.
+void evaluate(std::span<const Point> curve, std::span<const double> ts, std::span<Point> points);
+
 /// The first derivative by t; {0, 0} for a curve of degree 0.
 [[nodiscard]] Vector derivative(std::span<const Point> curve, double t);
 

@@ -22,11 +22,20 @@ struct Halves {
 /// O(n^2). Source: Farin, Curves and Surfaces for CAGD, 5th ed., section 4.6.
 [[nodiscard]] Halves split(std::span<const Point> curve, double t);
 
+/// The same into two arrays as long as the curve; it may be one of them.
+void split(std::span<const Point> curve, double t, std::span<Point> left, std::span<Point> right);
+
 /// The part of a curve between two parameters 0 <= from <= to <= 1.
 [[nodiscard]] Points part(std::span<const Point> curve, double from, double to);
 
+/// The same into an array as long as the curve, or the curve itself.
+void part(std::span<const Point> curve, double from, double to, std::span<Point> result);
+
 /// The 2^levels pieces in curve order when every piece is split at the same local t, `levels` times over.
 [[nodiscard]] std::vector<Points> pieces(std::span<const Point> curve, double t, int levels);
+
+/// The same into one array of 2^levels n + 1 points: each piece begins with the last point of the one before.
+void writePieces(std::span<const Point> curve, double t, int levels, std::span<Point> chain);
 
 /// The blossom (polar form) b[u_1, .., u_n]: de Casteljau's scheme with another parameter at each level.
 /// Symmetric and affine in each argument; b[t, .., t] is the point at t. Needs as many arguments as the degree.

@@ -2,7 +2,10 @@
 
 #include "core/polynomial/long_rows.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <memory>
 #include <type_traits>
 
 /// De Casteljau's scheme on plain coefficients (numbers or vectors): what evaluation, splitting and root isolation
@@ -39,10 +42,14 @@ constexpr void splitInPlace(std::span<T> row, std::span<T> left, double t) {
 /// Room for one row that asks the heap only above degree 11: evaluation runs in the innermost loops.
 template <class T>
 class RowBuffer {
+    static_assert(std::is_trivially_copyable_v<T>);
+
   public:
     explicit RowBuffer(std::size_t size)
         : heap_(size > kInline ? size : 0)
-        , row_(size > kInline ? heap_.data() : inline_.data(), size) {}
+        , row_(size > kInline ? heap_.data() : reinterpret_cast<T*>(inline_.data()), size) {
+        std::uninitialized_value_construct_n(row_.data(), size > kInline ? 0 : std::max<std::size_t>(size, 1));
+    }
     RowBuffer(const RowBuffer&) = delete;
     RowBuffer& operator=(const RowBuffer&) = delete;
 
@@ -50,7 +57,8 @@ class RowBuffer {
 
   private:
     static constexpr std::size_t kInline = 12;
-    std::array<T, kInline> inline_;
+    // Bytes, since clearing as many numbers as there is room for takes as long as the work on a few.
+    alignas(T) std::array<std::byte, kInline * sizeof(T)> inline_;
     std::vector<T> heap_;
     std::span<T> row_;
 };

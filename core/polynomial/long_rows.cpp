@@ -1,5 +1,7 @@
 #include "core/polynomial/long_rows.h"
 
+#include "core/numbers/lanes.h"
+
 #include <cassert>
 #include <cstring>
 
@@ -9,10 +11,6 @@ namespace {
 
 static_assert(sizeof(Vector) == 2 * sizeof(double));
 
-/// Four doubles at once; compiled for two registers of two where the processor has none of four.
-using Lanes [[gnu::vector_size(32)]] = double;
-constexpr std::size_t kLanes = sizeof(Lanes) / sizeof(double);
-
 /// One level of the scheme on `size` numbers, of which each `stride` are a coefficient.
 template <std::size_t stride>
 [[gnu::always_inline]] inline void interpolate(double* row, std::size_t size, double t) {
@@ -21,10 +19,9 @@ template <std::size_t stride>
     for (; i + kLanes + stride <= size; i += kLanes) {
         Lanes here;
         Lanes next;
-        std::memcpy(&here, row + i, sizeof here);
-        std::memcpy(&next, row + i + stride, sizeof next);
-        here = s * here + t * next;
-        std::memcpy(row + i, &here, sizeof here);
+        load(row + i, here);
+        load(row + i + stride, next);
+        store(s * here + t * next, row + i);
     }
     for (; i + stride < size; ++i)
         row[i] = s * row[i] + t * row[i + stride];
@@ -61,8 +58,8 @@ struct Sums {
     static_assert(kTogetherInLongRow == 2 * kLanes);
     Lanes low;
     Lanes high;
-    std::memcpy(&low, ratios, sizeof low);
-    std::memcpy(&high, ratios + kLanes, sizeof high);
+    load(ratios, low);
+    load(ratios + kLanes, high);
     Sums nearLow(row.back());
     Sums nearHigh(row.back());
     Sums farLow(row.front());
@@ -80,24 +77,9 @@ struct Sums {
     farHigh.write(far + kLanes);
 }
 
-#ifdef __x86_64__
-[[gnu::target("avx2")]] void hornerByAvx2(std::span<const Vector> row, const double* ratios, Vector* near,
-                                          Vector* far) {
-    horner(row, ratios, near, far);
-}
-template <std::size_t stride>
-[[gnu::target("avx2")]] void splitByAvx2(double* row, double* left, std::size_t size, double t) {
-    split<stride>(row, left, size, t);
-}
-#endif
-
 template <std::size_t stride>
 void splitRow(double* row, double* left, std::size_t size, double t) {
-#ifdef __x86_64__
-    if (__builtin_cpu_supports("avx2"))
-        return splitByAvx2<stride>(row, left, size, t);
-#endif
-    split<stride>(row, left, size, t);
+    workByLanes([=]() __attribute__((always_inline)) { split<stride>(row, left, size, t); });
 }
 
 } // namespace
@@ -113,11 +95,7 @@ void splitLongRow(std::span<Vector> row, std::span<Vector> left, double t) {
 }
 
 void evaluateLongRow(std::span<const Vector> row, const ManyRatios& ratios, ManyVectors& near, ManyVectors& far) {
-#ifdef __x86_64__
-    if (__builtin_cpu_supports("avx2"))
-        return hornerByAvx2(row, ratios.data(), near.data(), far.data());
-#endif
-    horner(row, ratios.data(), near.data(), far.data());
+    workByLanes([&]() __attribute__((always_inline)) { horner(row, ratios.data(), near.data(), far.data()); });
 }
 
 } // namespace kriva

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+
 namespace kriva {
 namespace {
 
@@ -68,6 +70,75 @@ RC_GTEST_PROP(Elevate, keepsTheCurve, ()) {
     const double t = *test::anyParameter();
     const int times = *rc::gen::inRange(0, 60);
     RC_ASSERT(distance(evaluate(curve, t), evaluate(elevated(curve, times), t)) <= 1e-12 * 1000);
+}
+
+/// Point k of a line, parabola or cubic raised to degree N, from the end to which it is nearer.
+Vector fromItsEnd(const std::vector<Vector>& v, double N, double k) {
+    const double r = N - k;
+    if (v.size() == 2)
+        return k * v[1] / N;
+    if (v.size() == 3)
+        return (2 * k * r * v[1] + k * (k - 1) * v[2]) / (N * (N - 1));
+    return (3 * k * r * (r - 1) * v[1] + 3 * k * r * (k - 1) * v[2] + k * (k - 1) * (k - 2) * v[3]) /
+           (N * (N - 1) * (N - 2));
+}
+
+RC_GTEST_PROP(Elevate, givesOfShortCurvesTheMeansOfTheFormulaToTheLastBit, ()) {
+    const Points curve = *test::anyCurve(1, 3);
+    const int times = *rc::gen::inRange(2, 40);
+    const Points raised = elevated(curve, times);
+    const std::size_t N = raised.size() - 1;
+    std::vector<Vector> fromStart, fromEnd;
+    const Vector end = curve.back() - curve.front();
+    for (const Point p : curve) {
+        fromStart.push_back(p - curve.front());
+        fromEnd.insert(fromEnd.begin(), p - curve.front() - end);
+    }
+    const auto degree = static_cast<double>(N);
+    for (std::size_t i = 1; i < N; ++i) {
+        const Vector mean = i <= N / 2 ? fromItsEnd(fromStart, degree, static_cast<double>(i))
+                                       : end + fromItsEnd(fromEnd, degree, static_cast<double>(N - i));
+        RC_ASSERT(raised[i] == curve.front() + mean);
+    }
+}
+
+RC_GTEST_PROP(Elevate, staysWithinFourRoundingsOfTheExactMean, ()) {
+    const Points curve = *test::anyCurve(1, 3);
+    const int times = *rc::gen::element(1, 2, 3, 97, 998, 9998);
+    const Points raised = elevated(curve, times);
+    const double bound = 4 * 0x1p-52 * 4000;
+    const std::size_t n = curve.size() - 1, N = raised.size() - 1;
+    for (std::size_t i = 0; i <= N; i += 1 + N / 50) {
+        long double x = 0, y = 0;
+        for (std::size_t j = 0; j <= n; ++j) {
+            long double weight = 1;             // C(n, j) C(N - n, i - j) / C(N, i)
+            for (std::size_t k = 0; k < n; ++k) // i places are taken by j, N - i by n - j of the n
+                weight *=
+                    static_cast<long double>(k < j ? i - std::min(i, k) : N - i - std::min(N - i, k - j)) / (N - k);
+            const int choices[4][4] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
+            x += choices[n][j] * weight * curve[j].x;
+            y += choices[n][j] * weight * curve[j].y;
+        }
+        RC_ASSERT(std::abs(x - raised[i].x) <= bound);
+        RC_ASSERT(std::abs(y - raised[i].y) <= bound);
+    }
+}
+
+RC_GTEST_PROP(Elevate, intoAnArrayGivesTheSame, ()) {
+    const Points curve = *test::anyCurve(0, 8);
+    const int times = *rc::gen::inRange(0, 20);
+    Points raised(curve.size() + static_cast<std::size_t>(times), Point{1, 1});
+    elevate(curve, raised);
+    RC_ASSERT(raised == elevated(curve, times));
+}
+
+RC_GTEST_PROP(Elevate, runsBackwardsOnReversedPoints, ()) {
+    const Points curve = *test::anyCurve(1, 6);
+    const int times = *rc::gen::inRange(1, 20);
+    const Points raised = elevated(curve, times);
+    const Points backwards = elevated(Points(curve.rbegin(), curve.rend()), times);
+    for (std::size_t i = 0; i < raised.size(); ++i)
+        RC_ASSERT(distance(raised[i], backwards[raised.size() - 1 - i]) <= 1e-12 * 4000);
 }
 
 RC_GTEST_PROP(Elevate, losesNothingFarFromTheOrigin, ()) {

@@ -105,6 +105,79 @@ RC_GTEST_PROP(Derivative, isTheCurveOfTheHodograph, ()) {
     RC_ASSERT(length(secondDerivative(curve, t) - derivative(velocities, t)) <= 1e-12 * 1600000);
 }
 
+std::vector<Point> manyOf(const Points& curve, const std::vector<double>& ts) {
+    std::vector<Point> points(ts.size());
+    evaluate(curve, ts, points);
+    return points;
+}
+
+rc::Gen<std::vector<double>> anyParameters() {
+    return rc::gen::container<std::vector<double>>(test::anyParameter());
+}
+
+/// De Casteljau's scheme with more digits.
+Point exactly(const Points& curve, double t) {
+    std::vector<long double> x, y;
+    for (const Point p : curve) {
+        x.push_back(static_cast<long double>(p.x) - curve[0].x);
+        y.push_back(static_cast<long double>(p.y) - curve[0].y);
+    }
+    for (std::size_t count = curve.size() - 1; count > 0; --count)
+        for (std::size_t i = 0; i < count; ++i) {
+            x[i] = (1 - static_cast<long double>(t)) * x[i] + t * x[i + 1];
+            y[i] = (1 - static_cast<long double>(t)) * y[i] + t * y[i + 1];
+        }
+    return {static_cast<double>(curve[0].x + x[0]), static_cast<double>(curve[0].y + y[0])};
+}
+
+RC_GTEST_PROP(EvaluateMany, givesUpToDegreeFiveWhatEachParameterGivesAlone, ()) {
+    const Points curve = *test::anyCurve(0, 5);
+    const std::vector<double> ts = *anyParameters();
+    const std::vector<Point> points = manyOf(curve, ts);
+    for (std::size_t i = 0; i < ts.size(); ++i)
+        RC_ASSERT(points[i] == evaluate(curve, ts[i]));
+}
+
+RC_GTEST_PROP(EvaluateMany, staysWithinItsRoundingsAboveDegreeFive, ()) {
+    const Points curve = *rc::gen::mapcat(rc::gen::element<std::size_t>(7, 8, 12, 31, 101, 201), [](std::size_t size) {
+        return rc::gen::container<Points>(size, test::anyPoint());
+    });
+    const std::vector<double> ts = *anyParameters();
+    const double size = diagonal(boxOf(curve));
+    const double bound = 4 * static_cast<double>(curve.size()) * 0x1p-53 * size + 0x1p-52 * 1000;
+    const std::vector<Point> points = manyOf(curve, ts);
+    for (std::size_t i = 0; i < ts.size(); ++i)
+        RC_ASSERT(distance(points[i], exactly(curve, ts[i])) <= bound);
+}
+
+TEST(EvaluateMany, meetsEndsAndRepeatedPointsBitForBit) {
+    for (const std::size_t size : {1U, 2U, 4U, 7U, 201U, 2001U}) {
+        Points curve(size, Point{0.1, 1e9});
+        for (const Point p : manyOf(curve, {0, 0.1, 0.3, 0.7, 1}))
+            EXPECT_EQ(p, curve[0]);
+        curve.front() = {-0.0, 0.3};
+        curve.back() = {1e-9, -7};
+        const std::vector<Point> ends = manyOf(curve, {0.2, 1, 0, 0.5, 0, 1});
+        EXPECT_EQ(ends[1], curve.back());
+        EXPECT_EQ(ends[2], curve.front());
+        EXPECT_EQ(std::signbit(ends[2].x), std::signbit(curve.front().x));
+        EXPECT_EQ(ends[4], curve.front());
+        EXPECT_EQ(ends[5], curve.back());
+    }
+    EXPECT_TRUE(manyOf({{1, 2}, {3, 4}}, {}).empty());
+}
+
+TEST(EvaluateMany, losesNothingFarFromTheOriginAndAtTheHighestCoordinates) {
+    Points curve(201);
+    for (std::size_t i = 0; i < curve.size(); ++i)
+        curve[i] = {i % 2 == 0 ? 1e9 : -1e9, 1e9 + static_cast<double>(i)};
+    for (const double t : {0.01, 0.5, 0.99}) {
+        const Point p = manyOf(curve, {t})[0];
+        EXPECT_NEAR(p.x, exactly(curve, t).x, 4e-5);
+        EXPECT_NEAR(p.y, 1e9 + 200 * t, 2e-7);
+    }
+}
+
 TEST(Bernstein, areNonNegativeAndSumToOne) {
     for (const int degree : {0, 1, 5, 200})
         for (const double t : {0.0, 0.1, 0.5, 0.9, 1.0}) {

@@ -66,6 +66,28 @@ RC_GTEST_PROP(Split, halvesFollowTheCurve, ()) {
     RC_ASSERT(distance(evaluate(halves.right, u), evaluate(curve, t + (1 - t) * u)) <= kClose);
 }
 
+RC_GTEST_PROP(Split, intoArraysGivesTheSameHalvesInPlaceToo, ()) {
+    Points curve = *test::anyCurve(0, 20);
+    const double t = *anyInnerParameter();
+    const Halves halves = split(curve, t);
+    Points left(curve.size()), right(curve.size());
+    split(curve, t, left, right);
+    RC_ASSERT(left == halves.left);
+    RC_ASSERT(right == halves.right);
+    split(left, t, left, right);
+    RC_ASSERT(left == split(halves.left, t).left);
+    split(curve, t, left, curve);
+    RC_ASSERT(curve == halves.right);
+}
+
+RC_GTEST_PROP(Part, intoAnArrayGivesTheSameInPlaceToo, ()) {
+    Points curve = *test::anyCurve(0, 20);
+    const auto [from, to] = std::minmax({*test::anyParameter(), *test::anyParameter()});
+    const Points expected = part(curve, from, to);
+    part(curve, from, to, curve);
+    RC_ASSERT(curve == expected);
+}
+
 RC_GTEST_PROP(Part, followsTheCurve, ()) {
     const Points curve = *test::anyCurve(0, 20);
     const auto [from, to] = std::minmax({*test::anyParameter(), *test::anyParameter()});
@@ -94,6 +116,43 @@ RC_GTEST_PROP(Pieces, rejoinExactlyInCurveOrder, ()) {
     RC_ASSERT(chain.back().back() == curve.back());
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
         RC_ASSERT(chain[i].back() == chain[i + 1].front());
+}
+
+/// The pieces by splitting one after the other, as vectors from the start.
+void addPieces(std::vector<Vector> row, double t, int levels, std::vector<std::vector<Vector>>& pieces) {
+    if (levels == 0) {
+        pieces.push_back(row);
+        return;
+    }
+    std::vector<Vector> left;
+    for (std::size_t count = row.size(); count > 0; --count) {
+        left.push_back(row[0]);
+        for (std::size_t i = 0; i + 1 < count; ++i)
+            row[i] = (1 - t) * row[i] + t * row[i + 1];
+    }
+    addPieces(left, t, levels - 1, pieces);
+    addPieces(row, t, levels - 1, pieces);
+}
+
+RC_GTEST_PROP(Pieces, areTheSplitOnesToTheLastBit, ()) {
+    const Points curve = *test::anyCurve(0, 20);
+    const double t = *anyInnerParameter();
+    const int levels = *rc::gen::inRange(0, 6);
+    std::vector<Vector> row;
+    for (const Point p : curve)
+        row.push_back(p - curve.front());
+    std::vector<std::vector<Vector>> expected;
+    addPieces(row, t, levels, expected);
+    const std::vector<Points> found = pieces(curve, t, levels);
+    Points chain(((curve.size() - 1) << levels) + 1);
+    writePieces(curve, t, levels, chain);
+    RC_ASSERT(found.size() == expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k)
+        for (std::size_t i = 0; i < curve.size(); ++i) {
+            const bool isEnd = k + 1 == found.size() && i + 1 == curve.size();
+            RC_ASSERT(found[k][i] == (isEnd ? curve.back() : curve.front() + expected[k][i]));
+            RC_ASSERT(chain[k * (curve.size() - 1) + i] == found[k][i]);
+        }
 }
 
 TEST(Pieces, zeroLevelsGiveTheCurve) {
