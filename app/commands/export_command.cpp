@@ -85,7 +85,7 @@ ExitCode exportOne(const QString& file, const ExportRequest& request) {
     const std::optional<SheetIndex> sheet = sheetToDraw(*document, request.sheet);
     if (!sheet)
         return refused(Export::nothingToDraw(file), ExitCode::failure);
-    if (const std::optional<FileError> error = solvingLimitError(document->sheets[*sheet], *sheet))
+    if (const std::optional<FileError> error = outputLimitError(document->sheets[*sheet], *sheet, Output::figure))
         return refused(ui::errorText(ui::OpenError(*error), file), ExitCode::refused);
     const DrawingOptions& drawing = request.options.drawing;
     const std::size_t curves = document->sheets[*sheet].curves.size();

@@ -26,6 +26,12 @@ FileError errorOfFile(FileProblem problem, std::vector<double> numbers) {
     return error;
 }
 
+std::optional<FileError> pointCountError(std::size_t points, std::size_t most) {
+    if (points <= most)
+        return {};
+    return errorOfFile(FileProblem::tooManyPointsInCurve, {static_cast<double>(most), static_cast<double>(points)});
+}
+
 FileError errorAtByte(FileProblem problem, std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, std::min(byte, text.size()));
     const auto lineStart = before.rfind('\n') + 1; // npos + 1 is 0: the first line

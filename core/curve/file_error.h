@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -82,6 +83,9 @@ void appendPosition(std::string& place, std::size_t position);
 
 /// A problem of a file as a whole.
 [[nodiscard]] FileError errorOfFile(FileProblem problem, std::vector<double> numbers = {});
+
+/// Why a curve of so many points has more than it may have; nothing where it has not.
+[[nodiscard]] std::optional<FileError> pointCountError(std::size_t points, std::size_t most);
 
 /// A problem at a byte of a text: its line and its column, which counts bytes.
 [[nodiscard]] FileError errorAtByte(FileProblem problem, std::string_view text, std::size_t byte);

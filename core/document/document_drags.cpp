@@ -1,15 +1,23 @@
 #include "core/document/document_drags.h"
 
 #include <algorithm>
-#include <concepts>
 #include <limits>
+#include <utility>
 
 namespace kriva {
+namespace {
+
+template <class C>
+std::optional<Curve> widened(std::optional<C> curve) {
+    return curve ? std::optional(Curve(*std::move(curve))) : std::nullopt;
+}
+
+} // namespace
 
 bool hasHandles(const Curve& curve) {
     return std::visit(
-        [](const auto& c) {
-            if constexpr (requires { pullsHandles(c); })
+        []<class C>(const C& c) {
+            if constexpr (C::kCapabilities.handles)
                 return pullsHandles(c);
             else
                 return false;
@@ -20,12 +28,10 @@ bool hasHandles(const Curve& curve) {
 PulledPoint readyToPull(const Curve& curve, int point) {
     return std::visit(
         [&]<class C>(const C& c) -> PulledPoint {
-            if constexpr (requires {
-                              { readyToPull(c, point) } -> std::same_as<std::optional<C>>;
-                          })
-                if (auto ready = readyToPull(c, point))
-                    return {std::move(*ready), {GripKind::outHandle, point}};
-            return {c, {GripKind::point, point}};
+            if constexpr (C::kCapabilities.handles)
+                if (std::optional<C> ready = readyToPull(c, point))
+                    return {Curve(std::move(*ready)), {GripKind::outHandle, point}};
+            return {Curve(c), {GripKind::point, point}};
         },
         curve);
 }
@@ -47,12 +53,10 @@ std::optional<Vector> oppositeHandle(const Curve& curve, const GripId& handle) {
 Curve withHandleDragged(const Curve& curve, const GripId& id, const HandleWay& way) {
     return std::visit(
         [&]<class C>(const C& c) -> Curve {
-            if constexpr (requires {
-                              { withHandleDragged(c, id, way) } -> std::same_as<C>;
-                          })
-                return withHandleDragged(c, id, way);
+            if constexpr (C::kCapabilities.handles)
+                return Curve(withHandleDragged(c, id, way));
             else
-                return withGripsMoved(c, std::span(&id, 1), way.by);
+                return Curve(withGripsMoved(c, std::span(&id, 1), way.by));
         },
         curve);
 }
@@ -60,10 +64,8 @@ Curve withHandleDragged(const Curve& curve, const GripId& id, const HandleWay& w
 std::optional<Curve> withHandleRetracted(const Curve& curve, const GripId& id) {
     return std::visit(
         [&]<class C>(const C& c) -> std::optional<Curve> {
-            if constexpr (requires {
-                              { withHandleRetracted(c, id) } -> std::same_as<std::optional<C>>;
-                          })
-                return withHandleRetracted(c, id);
+            if constexpr (C::kCapabilities.handles)
+                return widened(withHandleRetracted(c, id));
             else
                 return {};
         },
@@ -101,10 +103,8 @@ int newPointNear(const Edited<Curve>& inserted, Point near) {
 std::optional<Curve> closedAt(const Curve& curve, int point) {
     return std::visit(
         [&]<class C>(const C& c) -> std::optional<Curve> {
-            if constexpr (requires {
-                              { closedAt(c, point) } -> std::same_as<std::optional<C>>;
-                          })
-                return closedAt(c, point);
+            if constexpr (C::kCapabilities.closing)
+                return widened(closedAt(c, point));
             else
                 return {};
         },

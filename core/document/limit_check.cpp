@@ -21,21 +21,6 @@ struct Totals {
     }
 };
 
-std::optional<FileError> pointLimitError(const Curve& curve) {
-    return std::visit(
-        [](const auto& c) -> std::optional<FileError> {
-            if (pointCount(c) <= mostPoints(c))
-                return {};
-            // Some sheets limit less than the curve as a whole.
-            if constexpr (requires { interpolationLimitError(c); })
-                if (std::optional<FileError> error = interpolationLimitError(c))
-                    return error;
-            return errorOfFile(FileProblem::tooManyPointsInCurve,
-                               {static_cast<double>(mostPoints(c)), static_cast<double>(pointCount(c))});
-        },
-        curve);
-}
-
 std::optional<FileError> errorOf(const Totals& totals) {
     if (std::optional<FileError> error = curveCountError(totals.curves))
         return error;
@@ -66,26 +51,17 @@ std::string placeOfCurves(SheetIndex sheet) {
     return std::string("sheets.").append(sheetName(sheet)).append(".curves");
 }
 
-std::optional<FileError> solvingLimitError(const Sheet& sheet, SheetIndex index) {
-    std::size_t pairs = 0;
-    std::size_t pieces = 0;
-    const auto add = [&](const auto& curve) {
-        if constexpr (requires { interpolatedPairs(curve); })
-            pairs += interpolatedPairs(curve);
-        if constexpr (requires { pathPieces(curve); })
-            pieces += pathPieces(curve);
-    };
-    for (const Curve& curve : sheet.curves)
-        std::visit(add, curve);
-    FileError error;
-    if (pairs > limits::kInterpolatedPairs)
-        error = errorOfFile(FileProblem::tooManyPairs, {static_cast<double>(limits::kInterpolatedPairs)});
-    else if (pieces > limits::kPathPieces)
-        error = errorOfFile(FileProblem::tooManyPathPieces,
-                            {static_cast<double>(limits::kPathPieces), static_cast<double>(pieces)});
-    else
-        return {};
-    error.place = placeOfCurves(index);
+std::optional<FileError> outputLimitError(const Sheet& sheet, SheetIndex index, Output output) {
+    std::optional<FileError> error = std::visit(
+        [&]<class C>(const C&) -> std::optional<FileError> {
+            if constexpr (C::kCapabilities.outputLimits)
+                return outputLimitError(std::span<const C* const>(curvesOf<C>(sheet)), output);
+            else
+                return {};
+        },
+        emptyCurve(index));
+    if (error)
+        error->place = placeOfCurves(index);
     return error;
 }
 

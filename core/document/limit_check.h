@@ -11,7 +11,8 @@ namespace kriva {
 [[nodiscard]] std::optional<FileError> sheetLimitError(const Sheet& sheet);
 
 /// Why a sheet that may well be edited takes too long for a report or a file of its figure; nothing where it does not.
-[[nodiscard]] std::optional<FileError> solvingLimitError(const Sheet& sheet, SheetIndex index);
+/// This error has a place.
+[[nodiscard]] std::optional<FileError> outputLimitError(const Sheet& sheet, SheetIndex index, Output output);
 
 /// Where the curves of a sheet stand in a document: "sheets.spline.curves".
 [[nodiscard]] std::string placeOfCurves(SheetIndex sheet);

@@ -21,9 +21,8 @@ std::optional<FileError> reportSheetOf(JsonWriter& json, const Sheet& sheet) {
         json.endObject();
     }
     json.endList();
-    // Only some sheets tell something about all their curves together.
     WorkBudget budget(limits::kSteps);
-    if constexpr (requires { reportTogether(json, std::span<const C* const>(curves), budget); })
+    if constexpr (C::kCapabilities.relations)
         return reportTogether(json, std::span<const C* const>(curves), budget);
     return {};
 }
@@ -32,11 +31,12 @@ bool isReported(SheetIndex sheet, std::optional<SheetIndex> only) {
     return !only || *only == sheet;
 }
 
-FileError tooManySegments(SheetIndex sheet, std::size_t segments) {
-    FileError error = errorOfFile(FileProblem::tooManySegments,
-                                  {static_cast<double>(limits::kReportedSegments), static_cast<double>(segments)});
-    error.place = placeOfCurves(sheet);
-    return error;
+std::optional<FileError> outputLimitError(const Document& document, std::optional<SheetIndex> only, Output output) {
+    for (SheetIndex index = 0; index < kSheetCount; ++index)
+        if (isReported(index, only))
+            if (std::optional<FileError> error = outputLimitError(document.sheets[index], index, output))
+                return error;
+    return {};
 }
 
 } // namespace
@@ -63,42 +63,13 @@ std::variant<std::string, FileError> reportJson(const Document& document, std::s
 }
 
 std::optional<FileError> reportLimitError(const Document& document, std::optional<SheetIndex> only) {
-    for (SheetIndex index = 0; index < kSheetCount; ++index) {
-        std::size_t segments = 0;
-        for (const Curve& curve : document.sheets[index].curves)
-            segments += std::visit([](const auto& c) { return reportedSegments(c); }, curve);
-        if (isReported(index, only) && segments > limits::kReportedSegments)
-            return tooManySegments(index, segments);
-        if (std::optional<FileError> error = solvingLimitError(document.sheets[index], index);
-            error && isReported(index, only))
-            return error;
-    }
-    return {};
+    return outputLimitError(document, only, Output::report);
 }
 
 std::optional<FileError> reportJsonLimitError(const Document& document, std::optional<SheetIndex> only) {
     if (std::optional<FileError> error = reportLimitError(document, only))
         return error;
-    for (SheetIndex index = 0; index < kSheetCount; ++index) {
-        std::size_t points = 0;
-        for (const Curve& curve : document.sheets[index].curves)
-            points += std::visit(
-                [](const auto& c) -> std::size_t {
-                    if constexpr (requires { reportedSchemePoints(c); })
-                        return reportedSchemePoints(c);
-                    else
-                        return 0;
-                },
-                curve);
-        if (!isReported(index, only) || points <= limits::kReportedSchemePoints)
-            continue;
-        FileError error =
-            errorOfFile(FileProblem::tooManySchemePoints,
-                        {static_cast<double>(limits::kReportedSchemePoints), static_cast<double>(points)});
-        error.place = placeOfCurves(index);
-        return error;
-    }
-    return {};
+    return outputLimitError(document, only, Output::reportJson);
 }
 
 } // namespace kriva

@@ -1,5 +1,6 @@
 #include "core/document/document.h"
 #include "core/document/methods.h"
+#include "core/document/sheet_figure.h"
 #include "core/sheets/combined/views/combined_plots.h"
 #include "core/sheets/combined/views/combined_tables.h"
 #include "core/sheets/elevation/views/elevation_plots.h"

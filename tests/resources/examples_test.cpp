@@ -1,4 +1,5 @@
 #include "core/bezier/evaluate.h"
+#include "core/document/sheet_figure.h"
 #include "core/sheets/combined/monotone_runs.h"
 #include "core/sheets/spline/chain/spline.h"
 #include "tests/support/documents.h"

@@ -1,4 +1,5 @@
 #include "core/document/document_drags.h"
+#include "core/document/sheet_figure.h"
 #include "tests/support/canvas_hand.h"
 
 #include <QMenuBar>

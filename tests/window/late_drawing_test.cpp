@@ -1,3 +1,4 @@
+#include "core/document/sheet_figure.h"
 #include "tests/support/test_window.h"
 
 #include <gtest/gtest.h>

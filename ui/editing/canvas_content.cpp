@@ -1,5 +1,6 @@
 #include "ui/editing/canvas_content.h"
 
+#include "core/document/sheet_figure.h"
 #include "core/figure/style/page.h"
 #include "ui/editing/sheet/curve_name.h"
 

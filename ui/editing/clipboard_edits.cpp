@@ -1,5 +1,6 @@
 #include "ui/editing/clipboard_edits.h"
 
+#include "core/document/sheet_figure.h"
 #include "core/figure/style/page.h"
 #include "ui/clipboard/clip.h"
 #include "ui/editing/sheet_editor.h"

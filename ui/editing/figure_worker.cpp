@@ -1,5 +1,7 @@
 #include "ui/editing/figure_worker.h"
 
+#include "core/document/sheet_figure.h"
+
 #include <QCoreApplication>
 #include <QPointer>
 #include <QThreadPool>

@@ -1,5 +1,6 @@
 #include "ui/export/export_subject.h"
 
+#include "core/document/sheet_figure.h"
 #include "core/figure/plot/plot_figure.h"
 #include "ui/figures/caption_text.h"
 

@@ -1,6 +1,7 @@
 #include "core/io/drawing/drawing.h"
 
 #include "core/curve/limits.h"
+#include "core/document/sheet_figure.h"
 #include "core/figure/plot/plot_figure.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "core/io/svg/curve_svg.h"
 
 #include "core/bezier/cubic_pieces.h"
+#include "core/document/sheet_figure.h"
 #include "core/io/svg/svg_path.h"
 #include "core/io/svg/svg_writer.h"
 

@@ -2,6 +2,7 @@
 
 #include "core/bezier/elevate.h"
 #include "core/document/limit_check.h"
+#include "core/document/sheet_figure.h"
 #include "core/figure/labels.h"
 #include "core/io/svg/imported.h"
 #include "core/io/svg/svg_path.h"

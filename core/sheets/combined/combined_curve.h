@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/curve/capabilities.h"
 #include "core/figure/caption.h"
 #include "core/figure/style/style.h"
 #include "core/geometry/point.h"
@@ -15,6 +16,7 @@ namespace kriva {
 struct CombinedCurve {
     static constexpr std::string_view kSheet = "combined";
     static constexpr Caption kCaption = Caption::combined;
+    static constexpr Capabilities kCapabilities{.animation = true, .longDrawing = true, .outputLimits = true};
     enum class Method { approximation, interpolation, pairs };
     enum class Basis { power, newton, lagrange, chebyshev };
 

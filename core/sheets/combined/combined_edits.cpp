@@ -77,10 +77,6 @@ bool isWithin(const CombinedCurve& curve, double limit) {
            });
 }
 
-std::size_t mostPoints(const CombinedCurve& curve) {
-    return interpolationLimitError(curve) ? limits::kControlPoints : limits::kPointsInCurve;
-}
-
 std::optional<FileError> interpolationLimitError(const CombinedCurve& curve) {
     if (curve.method != CombinedCurve::Method::interpolation)
         return {};
@@ -91,6 +87,12 @@ std::optional<FileError> interpolationLimitError(const CombinedCurve& curve) {
         return {};
     return errorOfFile(FileProblem::tooManyPointsInRun,
                        {static_cast<double>(limits::kControlPoints), static_cast<double>(longest)});
+}
+
+std::optional<FileError> pointLimitError(const CombinedCurve& curve) {
+    if (std::optional<FileError> error = interpolationLimitError(curve))
+        return error;
+    return pointCountError(curve.points.size(), limits::kPointsInCurve);
 }
 
 CombinedCurve withGripsMoved(const CombinedCurve& curve, std::span<const GripId> ids, Vector by) {

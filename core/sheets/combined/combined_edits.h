@@ -3,7 +3,6 @@
 #include "core/curve/editing/edited.h"
 #include "core/curve/editing/grip.h"
 #include "core/curve/file_error.h"
-#include "core/figure/figure.h"
 #include "core/figure/style/frame_place.h"
 #include "core/sheets/combined/combined.h"
 
@@ -17,6 +16,9 @@ namespace kriva {
 /// Everything that can be dragged: the points, in their order, then under Method::pairs the middle points of pairs; of
 /// a pair of two quadratics, the point where these meet.
 [[nodiscard]] std::vector<Grip> grips(const CombinedCurve& curve);
+[[nodiscard]] inline std::string_view layerOf(const CombinedCurve&, GripKind kind) {
+    return kind == GripKind::middle ? "middle-points" : "points";
+}
 /// The same where combine() has given its answer, empty while the curve is incomplete.
 [[nodiscard]] std::vector<Grip> grips(const CombinedCurve& curve, const Combined& combined);
 
@@ -31,11 +33,10 @@ namespace kriva {
 [[nodiscard]] inline std::size_t derivedPointCount(const CombinedCurve&) {
     return 0;
 }
-/// The most points that this curve may have. Under interpolation it has too many where one run has.
-[[nodiscard]] std::size_t mostPoints(const CombinedCurve& curve);
-
 /// "tooManyPointsInRun" where a run of an interpolation is too long, at the longest one.
 [[nodiscard]] std::optional<FileError> interpolationLimitError(const CombinedCurve& curve);
+/// That too.
+[[nodiscard]] std::optional<FileError> pointLimitError(const CombinedCurve& curve);
 
 /// Whether all its coordinates, those of corrections too, are at most `limit` in absolute value.
 [[nodiscard]] bool isWithin(const CombinedCurve& curve, double limit);
@@ -45,19 +46,10 @@ namespace kriva {
 [[nodiscard]] CombinedCurve withGripsMoved(const CombinedCurve& curve, std::span<const GripId> ids, Vector by);
 [[nodiscard]] Edited<CombinedCurve> withPointAdded(CombinedCurve curve, Point at);
 [[nodiscard]] CombinedCurve withPointsAdded(CombinedCurve curve, std::span<const Point> points);
-/// The points of the path behind its own: see pointsOf().
-[[nodiscard]] inline CombinedCurve withPathAdded(CombinedCurve curve, const Path& path) {
-    return withPointsAdded(std::move(curve), pointsOf(path));
-}
 /// The points of another curve behind its own, with the corrections of their pairs.
 [[nodiscard]] CombinedCurve appended(CombinedCurve curve, const CombinedCurve& other);
 /// `indices` ascending.
 [[nodiscard]] Edited<CombinedCurve> withPointsRemoved(const CombinedCurve& curve, const std::vector<int>& indices);
-/// The same: the polynomials are fitted anew in any case.
-[[nodiscard]] inline Refitted<CombinedCurve> withPointsRemovedRefitted(const CombinedCurve& curve,
-                                                                       const std::vector<int>& indices) {
-    return {withPointsRemoved(curve, indices), {}};
-}
 /// Nothing: it has pieces.
 [[nodiscard]] inline std::optional<int> polynomialDegree(const CombinedCurve&) {
     return {};

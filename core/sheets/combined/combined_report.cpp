@@ -1,5 +1,6 @@
 #include "core/sheets/combined/combined_report.h"
 
+#include "core/curve/limits.h"
 #include "core/figure/labels.h"
 #include "core/sheets/combined/combined_json.h"
 #include "core/sheets/combined/path_measures.h"
@@ -34,6 +35,21 @@ void reportJoin(JsonWriter& json, const CombinedJoin& join) {
 }
 
 } // namespace
+
+std::optional<FileError> outputLimitError(std::span<const CombinedCurve* const> curves, Output) {
+    std::size_t pairs = 0;
+    std::size_t pieces = 0;
+    for (const CombinedCurve* curve : curves) {
+        pairs += interpolatedPairs(*curve);
+        pieces += pathPieces(*curve);
+    }
+    if (pairs > limits::kInterpolatedPairs)
+        return errorOfFile(FileProblem::tooManyPairs, {static_cast<double>(limits::kInterpolatedPairs)});
+    if (pieces > limits::kPathPieces)
+        return errorOfFile(FileProblem::tooManyPathPieces,
+                           {static_cast<double>(limits::kPathPieces), static_cast<double>(pieces)});
+    return {};
+}
 
 void reportCurve(JsonWriter& json, const CombinedCurve& curve) {
     const Combined combined = combine(curve);

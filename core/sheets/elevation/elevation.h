@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/curve/capabilities.h"
 #include "core/figure/caption.h"
 #include "core/figure/style/style.h"
 #include "core/geometry/point.h"
@@ -13,6 +14,7 @@ namespace kriva {
 struct ElevationCurve {
     static constexpr std::string_view kSheet = "elevation";
     static constexpr Caption kCaption = Caption::elevation;
+    static constexpr Capabilities kCapabilities{.animation = true};
 
     std::string name;
     Points points;

@@ -15,8 +15,8 @@ std::vector<Grip> grips(const ElevationCurve& curve) {
     return pointGrips(curve.points);
 }
 
-std::size_t mostPoints(const ElevationCurve&) {
-    return limits::kControlPoints;
+std::optional<FileError> pointLimitError(const ElevationCurve& curve) {
+    return pointCountError(curve.points.size(), limits::kControlPoints);
 }
 
 ElevationCurve withGripsMoved(const ElevationCurve& curve, std::span<const GripId> ids, Vector by) {

@@ -2,7 +2,7 @@
 
 #include "core/curve/editing/edited.h"
 #include "core/curve/editing/grip.h"
-#include "core/figure/figure.h"
+#include "core/curve/file_error.h"
 #include "core/figure/style/frame_place.h"
 #include "core/sheets/elevation/elevation.h"
 
@@ -14,6 +14,9 @@ namespace kriva {
 
 /// Everything that can be dragged, points first, in their order.
 [[nodiscard]] std::vector<Grip> grips(const ElevationCurve& curve);
+[[nodiscard]] inline std::string_view layerOf(const ElevationCurve&, GripKind) {
+    return "points";
+}
 
 /// The points of the Points table.
 [[nodiscard]] inline std::size_t pointCount(const ElevationCurve& curve) {
@@ -26,8 +29,7 @@ namespace kriva {
 [[nodiscard]] inline std::size_t derivedPointCount(const ElevationCurve& curve) {
     return isIncomplete(curve) ? 0 : curve.points.size() + static_cast<std::size_t>(curve.times);
 }
-/// The most points that a curve of this kind may have.
-[[nodiscard]] std::size_t mostPoints(const ElevationCurve& curve);
+[[nodiscard]] std::optional<FileError> pointLimitError(const ElevationCurve& curve);
 
 /// Whether all its coordinates are at most `limit` in absolute value.
 [[nodiscard]] inline bool isWithin(const ElevationCurve& curve, double limit) {
@@ -38,19 +40,10 @@ namespace kriva {
 [[nodiscard]] ElevationCurve withGripsMoved(const ElevationCurve& curve, std::span<const GripId> ids, Vector by);
 [[nodiscard]] Edited<ElevationCurve> withPointAdded(ElevationCurve curve, Point at);
 [[nodiscard]] ElevationCurve withPointsAdded(ElevationCurve curve, std::span<const Point> points);
-/// The points of the path behind its own: see pointsOf().
-[[nodiscard]] inline ElevationCurve withPathAdded(ElevationCurve curve, const Path& path) {
-    return withPointsAdded(std::move(curve), pointsOf(path));
-}
 /// The points of another curve behind its own, with all that belongs to them.
 [[nodiscard]] ElevationCurve appended(ElevationCurve curve, const ElevationCurve& other);
 /// `indices` ascending. The degree falls.
 [[nodiscard]] Edited<ElevationCurve> withPointsRemoved(const ElevationCurve& curve, const std::vector<int>& indices);
-/// The same: there are no pieces to refit.
-[[nodiscard]] inline Refitted<ElevationCurve> withPointsRemovedRefitted(const ElevationCurve& curve,
-                                                                        const std::vector<int>& indices) {
-    return {withPointsRemoved(curve, indices), {}};
-}
 /// Of the polynomial that runs through all points; nothing for incomplete curves.
 [[nodiscard]] inline std::optional<int> polynomialDegree(const ElevationCurve& curve) {
     return isIncomplete(curve) ? std::nullopt : std::optional(static_cast<int>(curve.points.size()) - 1);

@@ -50,12 +50,6 @@ Figure figureOf(const ElevationCurve& curve, const FigureContext& context) {
     return figure;
 }
 
-std::optional<DrawnCurve> drawn(const ElevationCurve& curve, const FigureContext& context, WorkBudget& budget) {
-    if (!budget.spend())
-        return {};
-    return DrawnCurve{figureOf(curve, context), grips(curve)};
-}
-
 std::uint64_t drawingSteps(const ElevationCurve& curve) {
     constexpr std::uint64_t kEvaluating = 3; // the curve's box, by the square of its points
     constexpr std::uint64_t kElevated = 6;

@@ -170,12 +170,6 @@ Figure figureOf(const SplineCurve& curve, const FigureContext& context) {
     return figure;
 }
 
-std::optional<DrawnCurve> drawn(const SplineCurve& curve, const FigureContext& context, WorkBudget& budget) {
-    if (!budget.spend())
-        return {};
-    return DrawnCurve{figureOf(curve, context), grips(curve)};
-}
-
 std::uint64_t drawingSteps(const SplineCurve& curve) {
     constexpr std::uint64_t kSegment = 20; // with what a view may show of it besides
     return kSegment * curve.knots.size();

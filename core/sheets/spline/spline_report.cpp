@@ -1,9 +1,21 @@
 #include "core/sheets/spline/spline_report.h"
 
+#include "core/curve/limits.h"
 #include "core/figure/labels.h"
 #include "core/sheets/spline/spline_measures.h"
 
 namespace kriva {
+
+std::optional<FileError> outputLimitError(std::span<const SplineCurve* const> curves, Output output) {
+    std::size_t segments = 0;
+    for (const SplineCurve* curve : curves)
+        segments += segmentCount(*curve);
+    if (output == Output::figure || segments <= limits::kReportedSegments)
+        return {};
+    return errorOfFile(FileProblem::tooManySegments,
+                       {static_cast<double>(limits::kReportedSegments), static_cast<double>(segments)});
+}
+
 void reportCurve(JsonWriter& json, const SplineCurve& curve) {
     const SplineMeasures measures = measure(curve);
     json.member("degree", curve.degree).member("length", measures.length).member("bounds", measures.bounds);

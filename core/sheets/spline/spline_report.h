@@ -1,16 +1,16 @@
 #pragma once
 
 #include "core/budget/work_budget.h"
+#include "core/curve/file_error.h"
 #include "core/curve/json/json_writer.h"
+#include "core/curve/output.h"
 #include "core/curve/results.h"
 #include "core/sheets/spline/chain/spline.h"
 
 namespace kriva {
 
-/// How many segments its report lists: they are limited over the whole sheet.
-[[nodiscard]] inline std::size_t reportedSegments(const SplineCurve& curve) {
-    return segmentCount(curve);
-}
+/// Where a report would list too many segments.
+[[nodiscard]] std::optional<FileError> outputLimitError(std::span<const SplineCurve* const> curves, Output output);
 /// The members of a complete curve in the report, after its name.
 void reportCurve(JsonWriter& json, const SplineCurve& curve);
 /// The same numbers as rows for people, and the coefficients of every segment.

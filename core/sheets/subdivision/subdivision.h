@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bezier/subdivide.h"
+#include "core/curve/capabilities.h"
 #include "core/figure/caption.h"
 #include "core/figure/style/style.h"
 
@@ -14,6 +15,7 @@ namespace kriva {
 struct SubdivisionCurve {
     static constexpr std::string_view kSheet = "subdivision";
     static constexpr Caption kCaption = Caption::subdivision;
+    static constexpr Capabilities kCapabilities{.animation = true, .outputLimits = true};
 
     std::string name;
     Points points;

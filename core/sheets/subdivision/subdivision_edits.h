@@ -2,7 +2,7 @@
 
 #include "core/curve/editing/edited.h"
 #include "core/curve/editing/grip.h"
-#include "core/figure/figure.h"
+#include "core/curve/file_error.h"
 #include "core/figure/style/frame_place.h"
 #include "core/sheets/subdivision/subdivision.h"
 
@@ -18,6 +18,9 @@ namespace kriva {
 
 /// Everything that can be dragged: the points, in their order, each once.
 [[nodiscard]] std::vector<Grip> grips(const SubdivisionCurve& curve);
+[[nodiscard]] inline std::string_view layerOf(const SubdivisionCurve&, GripKind) {
+    return "points";
+}
 
 /// The points of the Points table.
 [[nodiscard]] inline std::size_t pointCount(const SubdivisionCurve& curve) {
@@ -30,6 +33,9 @@ namespace kriva {
 [[nodiscard]] std::size_t derivedPointCount(const SubdivisionCurve& curve);
 /// The most points that this curve may have, given its multiplicities and levels.
 [[nodiscard]] std::size_t mostPoints(const SubdivisionCurve& curve);
+[[nodiscard]] inline std::optional<FileError> pointLimitError(const SubdivisionCurve& curve) {
+    return pointCountError(curve.points.size(), mostPoints(curve));
+}
 
 /// Whether all its coordinates are at most `limit` in absolute value.
 [[nodiscard]] inline bool isWithin(const SubdivisionCurve& curve, double limit) {
@@ -42,20 +48,11 @@ namespace kriva {
 [[nodiscard]] Edited<SubdivisionCurve> withPointAdded(SubdivisionCurve curve, Point at);
 /// Each stands once.
 [[nodiscard]] SubdivisionCurve withPointsAdded(SubdivisionCurve curve, std::span<const Point> points);
-/// The points of the path behind its own: see pointsOf().
-[[nodiscard]] inline SubdivisionCurve withPathAdded(SubdivisionCurve curve, const Path& path) {
-    return withPointsAdded(std::move(curve), pointsOf(path));
-}
 /// The points of another curve behind its own, with their multiplicities.
 [[nodiscard]] SubdivisionCurve appended(SubdivisionCurve curve, const SubdivisionCurve& other);
 /// `indices` ascending. The degree falls.
 [[nodiscard]] Edited<SubdivisionCurve> withPointsRemoved(const SubdivisionCurve& curve,
                                                          const std::vector<int>& indices);
-/// The same: there are no pieces to refit.
-[[nodiscard]] inline Refitted<SubdivisionCurve> withPointsRemovedRefitted(const SubdivisionCurve& curve,
-                                                                          const std::vector<int>& indices) {
-    return {withPointsRemoved(curve, indices), {}};
-}
 /// Of the polynomial that runs through all points, multiplicities counted; nothing for incomplete curves.
 [[nodiscard]] inline std::optional<int> polynomialDegree(const SubdivisionCurve& curve) {
     return isIncomplete(curve) ? std::nullopt : std::optional(static_cast<int>(controlPointCount(curve)) - 1);

@@ -185,12 +185,6 @@ Figure figureOf(const SubdivisionCurve& curve, const FigureContext& context) {
     return figure;
 }
 
-std::optional<DrawnCurve> drawn(const SubdivisionCurve& curve, const FigureContext& context, WorkBudget& budget) {
-    if (!budget.spend())
-        return {};
-    return DrawnCurve{figureOf(curve, context), grips(curve)};
-}
-
 std::uint64_t drawingSteps(const SubdivisionCurve& curve) {
     constexpr std::uint64_t kScheme = 3; // de Casteljau's, by the square of the points
     constexpr std::uint64_t kDerived = 5;

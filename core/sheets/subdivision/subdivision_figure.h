@@ -12,9 +12,6 @@ namespace kriva {
 /// The layers of one curve. Those that a view hides may be missing or not; without a view all are there.
 [[nodiscard]] Figure figureOf(const SubdivisionCurve& curve, const FigureContext& context);
 
-/// What is drawn of one curve; nothing where the budget ends.
-[[nodiscard]] std::optional<DrawnCurve> drawn(const SubdivisionCurve& curve, const FigureContext& context,
-                                              WorkBudget& budget);
 /// About how many steps of a budget that takes: by them long work is told from what a frame has time for.
 [[nodiscard]] std::uint64_t drawingSteps(const SubdivisionCurve& curve);
 

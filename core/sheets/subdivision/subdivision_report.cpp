@@ -2,6 +2,7 @@
 
 #include "core/bezier/bounds.h"
 #include "core/bezier/measures/arc_length.h"
+#include "core/curve/limits.h"
 
 #include <numeric>
 
@@ -23,6 +24,16 @@ std::size_t reportedSchemePoints(const SubdivisionCurve& curve) {
         return 0;
     const auto points = static_cast<std::size_t>(std::reduce(curve.multiplicity.begin(), curve.multiplicity.end()));
     return points * (points + 1) / 2;
+}
+
+std::optional<FileError> outputLimitError(std::span<const SubdivisionCurve* const> curves, Output output) {
+    std::size_t points = 0;
+    for (const SubdivisionCurve* curve : curves)
+        points += reportedSchemePoints(*curve);
+    if (output != Output::reportJson || points <= limits::kReportedSchemePoints)
+        return {};
+    return errorOfFile(FileProblem::tooManySchemePoints,
+                       {static_cast<double>(limits::kReportedSchemePoints), static_cast<double>(points)});
 }
 
 void reportCurve(JsonWriter& json, const SubdivisionCurve& curve) {

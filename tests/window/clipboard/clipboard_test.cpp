@@ -1,4 +1,6 @@
+#include "core/curve/limits.h"
 #include "core/document/conversion.h"
+#include "core/document/sheet_figure.h"
 #include "tests/support/panel_test.h"
 
 #include <QClipboard>
@@ -185,10 +187,12 @@ TEST_P(ClipboardTest, aDamagedFragmentIsRefused) {
 
 TEST_P(ClipboardTest, pointsBeyondTheLimitsAreRefusedAndTheLimitIsNamed) {
     const Curve before = curve();
-    const std::size_t room = mostPoints(curve()) - pointCount(curve());
-    setText(QByteArray("1\t2\n3\t4\n").repeated(static_cast<qsizetype>(room) / 2 + 1).constData());
+    const auto beyond = pointLimitError(withPointsAdded(curve(), Points(limits::kPointsInCurve))).value();
+    const auto most = static_cast<qsizetype>(beyond.numbers.front());
+    const auto room = most - static_cast<qsizetype>(pointCount(curve()));
+    setText(QByteArray("1\t2\n3\t4\n").repeated(room / 2 + 1).constData());
     key(Qt::Key_V);
-    EXPECT_TRUE(told().contains(QString::number(mostPoints(curve())))) << told().toStdString();
+    EXPECT_TRUE(told().contains(QString::number(most))) << told().toStdString();
     expectNoStep(before);
 }
 

@@ -1,3 +1,4 @@
+#include "core/document/sheet_figure.h"
 #include "tests/support/panel_test.h"
 #include "ui/panels/layers_panel.h"
 

@@ -1,3 +1,4 @@
+#include "core/document/sheet_figure.h"
 #include "core/sheets/subdivision/subdivision_edits.h"
 #include "tests/support/panel_test.h"
 #include "ui/controls/player.h"

@@ -1,5 +1,6 @@
 #include "ui/panels/guide/guide_figure.h"
 
+#include "core/document/sheet_figure.h"
 #include "ui/base/examples.h"
 #include "ui/canvas/drawing/figure_item.h"
 #include "ui/figures/caption_text.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/curve/capabilities.h"
 #include "core/figure/figure.h"
 #include "core/figure/style/style.h"
 #include "core/geometry/point.h"
@@ -32,6 +33,8 @@ struct SplineKnot {
 struct SplineCurve {
     static constexpr std::string_view kSheet = "spline";
     static constexpr Caption kCaption = Caption::spline;
+    static constexpr Capabilities kCapabilities{
+        .handles = true, .closing = true, .pieces = true, .relations = true, .outputLimits = true};
     enum class Rule { mirror, natural, clamped, catmullRom };
 
     std::string name;

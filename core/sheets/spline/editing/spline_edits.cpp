@@ -176,8 +176,24 @@ bool isWithin(const SplineCurve& curve, double limit) {
            isFineTip(curve.startDerivative) && isFineTip(curve.endDerivative);
 }
 
-std::size_t mostPoints(const SplineCurve&) {
-    return limits::kPointsInCurve;
+std::optional<FileError> pointLimitError(const SplineCurve& curve) {
+    return pointCountError(curve.knots.size(), limits::kPointsInCurve);
+}
+
+std::string_view layerOf(const SplineCurve&, GripKind kind) {
+    switch (kind) {
+    case GripKind::point:
+        return "knots";
+    case GripKind::startDerivative:
+    case GripKind::endDerivative:
+        return "end-derivatives";
+    case GripKind::inHandle:
+    case GripKind::outHandle:
+    case GripKind::inner:
+    case GripKind::middle:
+        break;
+    }
+    return "handles";
 }
 
 SplineCurve withGripsMoved(const SplineCurve& curve, std::span<const GripId> ids, Vector by) {

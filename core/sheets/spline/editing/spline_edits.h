@@ -2,8 +2,8 @@
 
 #include "core/curve/editing/edited.h"
 #include "core/curve/editing/grip.h"
+#include "core/curve/file_error.h"
 #include "core/figure/figure.h"
-#include "core/figure/style/frame_place.h"
 #include "core/sheets/spline/chain/spline.h"
 
 /// The edits of a spline that every sheet's curve has, found by overloading; joins.h and chain_edits.h hold the
@@ -13,6 +13,7 @@ namespace kriva {
 /// Everything that can be dragged: the knots, in their order, then the handles, the inner points of degrees 4 and 5,
 /// and the tips of the end derivatives where the rule asks for them. O(n).
 [[nodiscard]] std::vector<Grip> grips(const SplineCurve& curve);
+[[nodiscard]] std::string_view layerOf(const SplineCurve& curve, GripKind kind);
 
 /// The points of the Points table.
 [[nodiscard]] inline std::size_t pointCount(const SplineCurve& curve) {
@@ -25,8 +26,7 @@ namespace kriva {
 [[nodiscard]] inline std::size_t derivedPointCount(const SplineCurve&) {
     return 0;
 }
-/// The most points that a curve of this kind may have.
-[[nodiscard]] std::size_t mostPoints(const SplineCurve& curve);
+[[nodiscard]] std::optional<FileError> pointLimitError(const SplineCurve& curve);
 
 /// Whether all its stored coordinates are at most `limit` in absolute value: knots, handles, inner points and end
 /// derivatives. Handles that the rule places do not count.
@@ -57,9 +57,5 @@ namespace kriva {
 /// The same curve run through from its other end; a closed one still starts at its first knot. Handles that the mirror
 /// rule placed are stored, for it reads differently backwards; those of the other rules are the same both ways.
 [[nodiscard]] Edited<SplineCurve> reversed(const SplineCurve& curve);
-/// Nothing: it has no animation.
-[[nodiscard]] inline std::optional<Frame<SplineCurve>> atFrame(const SplineCurve&, const FramePlace&) {
-    return {};
-}
 
 } // namespace kriva

@@ -1,3 +1,4 @@
+#include "core/document/sheet_figure.h"
 #include "core/io/drawing/drawing.h"
 
 #include <gtest/gtest.h>

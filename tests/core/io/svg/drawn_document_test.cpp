@@ -1,3 +1,4 @@
+#include "core/document/sheet_figure.h"
 #include "core/io/svg/drawn_document.h"
 #include "core/io/svg/drawn_sheet.h"
 #include "core/io/svg/svg_reader.h"

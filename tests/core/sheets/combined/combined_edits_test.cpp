@@ -138,11 +138,13 @@ TEST(CombinedEdits, interpolationLimitsTheRuns) {
         curve.points.push_back({static_cast<double>(i), 0});
     curve.points.push_back({0, 0}); // another run
     curve.method = CombinedCurve::Method::interpolation;
-    EXPECT_EQ(mostPoints(curve), limits::kPointsInCurve);
+    EXPECT_FALSE(pointLimitError(curve));
     curve.points.back().x = 500;
-    EXPECT_EQ(mostPoints(curve), limits::kControlPoints);
+    EXPECT_EQ(pointLimitError(curve).value().numbers, (std::vector<double>{201, 202}));
     curve.method = CombinedCurve::Method::pairs;
-    EXPECT_EQ(mostPoints(curve), limits::kPointsInCurve);
+    EXPECT_FALSE(pointLimitError(curve));
+    curve.points.resize(limits::kPointsInCurve + 1);
+    EXPECT_EQ(pointLimitError(curve).value().problem, FileProblem::tooManyPointsInCurve);
 }
 
 TEST(CombinedEdits, aPointInsertedIntoAnInterpolationKeepsItsShape) {

@@ -1,4 +1,4 @@
-#include "core/document/document.h"
+#include "core/document/sheet_figure.h"
 #include "core/sheets/combined/combined.h"
 #include "core/sheets/combined/combined_figure.h"
 

@@ -73,7 +73,7 @@ TEST(CombinedReport, isRefusedWhereItsPathsHaveTooManyPieces) {
     Document document;
     const SheetIndex sheet = *sheetNamed("combined");
     document.sheets[sheet].curves = {curve, curve};
-    EXPECT_FALSE(solvingLimitError(document.sheets[sheet], sheet)) << "199,998";
+    EXPECT_FALSE(outputLimitError(document.sheets[sheet], sheet, Output::figure)) << "199,998";
     CombinedCurve small;
     small.points = {{0, 0}, {1, 1}, {2, 0}, {1, 3}};
     EXPECT_EQ(pathPieces(small), 3u) << "two runs and a join";

@@ -53,7 +53,9 @@ TEST(ElevationEdits, namedGripsMoveTogetherOnceAndStrangersNot) {
 TEST(ElevationEdits, countThePointsOfTheElevatedPolygon) {
     EXPECT_EQ(pointCount(arch()), 3u);
     EXPECT_EQ(derivedPointCount(arch()), 7u);
-    EXPECT_EQ(mostPoints(arch()), limits::kControlPoints);
+    EXPECT_FALSE(pointLimitError(arch()));
+    EXPECT_EQ(pointLimitError(withPointsAdded(arch(), Points(limits::kControlPoints))).value().numbers,
+              (std::vector<double>{limits::kControlPoints, limits::kControlPoints + 3}));
     EXPECT_EQ(derivedPointCount(withPointsRemoved(arch(), {0, 1}).curve), 0u);
 }
 

@@ -1,4 +1,4 @@
-#include "core/document/document.h"
+#include "core/document/sheet_figure.h"
 #include "core/sheets/spline/editing/spline_edits.h"
 #include "core/sheets/spline/spline_figure.h"
 #include "tests/core/sheets/spline/spline_values.h"
