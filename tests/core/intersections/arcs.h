@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bezier/subdivide.h"
 #include "core/intersections/contacts/segment_contacts.h"
 #include "tests/support/any_curve.h"
 
@@ -62,6 +63,18 @@ inline const ArcFrame kFrame{{0, 0}, 1024};
     return points;
 }
 
+/// The same polynomial curve from one parameter to another, which may lie outside of [0, 1].
+[[nodiscard]] inline Points stretched(std::span<const Point> curve, double from, double to) {
+    Points points;
+    std::vector<double> arguments(curve.size() - 1, from);
+    points.push_back(blossom(curve, arguments));
+    for (double& argument : arguments) {
+        argument = to;
+        points.push_back(blossom(curve, arguments));
+    }
+    return points;
+}
+
 /// Whether a control polygon is neither straight nor nearly so: what lies on a line overlaps itself and others.
 [[nodiscard]] inline bool isBent(std::span<const Point> segment) {
     double area = 0;
@@ -69,6 +82,11 @@ inline const ArcFrame kFrame{{0, 0}, 1024};
         for (const Point q : segment)
             area = std::max(area, std::abs(cross(p - segment.front(), q - segment.front())));
     return area > 1;
+}
+
+/// A curve of a degree between the two given that is bent.
+[[nodiscard]] inline rc::Gen<Points> anyBentCurve(int leastDegree, int mostDegree) {
+    return rc::gen::suchThat(anyCurve(leastDegree, mostDegree), [](const Points& curve) { return isBent(curve); });
 }
 
 } // namespace kriva::test

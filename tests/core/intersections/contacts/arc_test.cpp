@@ -44,7 +44,7 @@ TEST(Arc, ofOnePointHasNoSize) {
     const Arc arc = plainArc(Points(4, Point{3, 4}));
     EXPECT_EQ(arc.size(), 0);
     EXPECT_EQ(arc.chord(), Vector());
-    EXPECT_EQ(evaluate(arc, 0.3).at, (Point{3, 4}));
+    EXPECT_LE(distance(evaluate(arc, 0.3).at, {3, 4}), kAllowed);
     EXPECT_EQ(evaluate(arc, 0.3).velocity, Vector());
     EXPECT_FALSE(tangentCone(arc));
 }

@@ -75,23 +75,18 @@ TEST(CommonParts, ofALineDrawnAtAnotherSpeedAreFound) {
     expectPart(found[0], {0.5, 0}, {1, 0.5});
 }
 
-TEST(CommonParts, ofARingAreOneWhereItStartsElsewhere) {
-    // A parabola there and back: both lie on the same one, once in each direction.
-    const Arc bow = plainArc(Points{{0, 0}, {1, 2}, {2, 0}});
-    const Arc both = plainArc(Points{{0, 0}, {1, 2}, {4.0 / 3, 4.0 / 3}, {1, 2}, {0, 0}}); // at 4 t (1 - t) of a half
-    WorkBudget budget;
-    const auto found = commonParts(bow, both, {{0, 0}, {0, 1}, {0.5, 0.5}}, kScale, budget);
+TEST(CommonParts, areTwoWhereACurveRunsForthAndBack) {
+    // The second runs along the first one up to 1/2, at s = 2 t (1 - t), and back.
+    const Arc once = plainArc(Points{{0, 0}, {1, 2}, {2, 0}});
+    const Arc twice = plainArc(Points{{0, 0}, {1, 2}, {4.0 / 3, 0}, {1, 2}, {0, 0}});
+    const auto found = partsOf(once, twice, {{0, 0}, {0, 1}, {0.5, 0.5}});
     ASSERT_THAT(found, SizeIs(2));
-    EXPECT_EQ(found[0].from.a, 0);
-    EXPECT_EQ(found[0].to, (Contact{0.5, 0.5}));
-    EXPECT_EQ(found[1].from.a, 0);
-    EXPECT_EQ(found[1].to, (Contact{0.5, 0.5}));
-    EXPECT_EQ(found[0].from.b + found[1].from.b, 1) << "one from either end";
+    expectPart(found[0], {0, 0}, {0.5, 0.5});
+    expectPart(found[1], {0, 1}, {0.5, 0.5});
 }
 
 RC_GTEST_PROP(CommonParts, ofPiecesOfOneCurveAreWhatBothHave, ()) {
-    const Points segment = *test::anyCurve(2, 4);
-    RC_PRE(test::isBent(segment));
+    const Points segment = *test::anyBentCurve(2, 4);
     const auto [from, to] = *test::anyStretch();
     const Arc first = arcOf(part(segment, 0, to), test::kFrame);
     const Arc second = arcOf(elevated(part(segment, from, 1), *rc::gen::inRange(0, 2)), test::kFrame);

