@@ -9,8 +9,8 @@ class LabelsOnCanvas : public CanvasTest {
   protected:
     LabelsOnCanvas() {
         CanvasCurve curve{1, {{{"labels", {}, {}, {Label{{40, -8}, Caption::none, "WWW", ""}}}}}, {}, true};
-        view.setCurves({curve});
-        view.setGridShown(false);
+        view.scene().setCurves({curve});
+        view.scene().setGridShown(false);
     }
     /// Dark pixels above the x axis, where the label would stand.
     [[nodiscard]] int inkAboveTheAxis() {
@@ -24,9 +24,9 @@ class LabelsOnCanvas : public CanvasTest {
 };
 
 TEST_F(LabelsOnCanvas, keepOffTheAxesWhereThereIsRoom) {
-    view.setAxesShown(false);
+    view.scene().setAxesShown(false);
     EXPECT_GT(inkAboveTheAxis(), 0);
-    view.setAxesShown(true);
+    view.scene().setAxesShown(true);
     EXPECT_EQ(inkAboveTheAxis(), 0);
 }
 
