@@ -5,12 +5,25 @@
 #include "tests/support/any_curve.h"
 
 #include <cmath>
+#include <gmock/gmock.h>
 
 /// Arcs whose places are known, and any arcs.
 namespace kriva::test {
 
 /// A frame in which the curves of anyCurve() have about the size 1.
 inline const ArcFrame kFrame{{0, 0}, 1024};
+
+inline const ContactScale kScale;
+inline constexpr double kTouching = 1e-12;
+
+/// Its top, (2, 3), is at 1/2.
+inline const Points kArch{{0, 0}, {0, 4}, {4, 4}, {4, 0}};
+
+/// Near two parameters.
+[[nodiscard]] inline auto isAt(double a, double b, double allowed = 1e-7) {
+    return testing::AllOf(testing::Field(&Contact::a, testing::DoubleNear(a, allowed)),
+                          testing::Field(&Contact::b, testing::DoubleNear(b, allowed)));
+}
 
 /// An arc whose coordinates are the segment's.
 [[nodiscard]] inline Arc plainArc(std::span<const Point> segment) {

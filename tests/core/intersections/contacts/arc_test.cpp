@@ -8,12 +8,11 @@
 namespace kriva {
 namespace {
 
+using test::kArch;
 using test::plainArc;
 
 /// Of values of arcs about as large as 1.
 constexpr double kAllowed = 1e-14;
-
-const Points kArch{{0, 0}, {0, 4}, {4, 4}, {4, 0}};
 
 std::vector<double> parameters() {
     std::vector<double> all;

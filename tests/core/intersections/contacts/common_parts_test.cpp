@@ -11,11 +11,11 @@
 namespace kriva {
 namespace {
 
+using test::kArch;
+using test::kScale;
 using test::plainArc;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-const ContactScale kScale;
 
 std::vector<CommonPart> partsOf(const Arc& a, const Arc& b, const std::vector<Contact>& contacts) {
     WorkBudget budget;
@@ -26,8 +26,6 @@ void expectPart(const CommonPart& found, Contact from, Contact to) {
     EXPECT_EQ(found.from, from);
     EXPECT_EQ(found.to, to);
 }
-
-const Points kArch{{0, 0}, {0, 4}, {4, 4}, {4, 0}};
 
 TEST(CommonParts, needTwoContacts) {
     const Arc arch = plainArc(kArch);

@@ -11,12 +11,13 @@
 namespace kriva {
 namespace {
 
+using test::isAt;
+using test::kArch;
+using test::kScale;
 using test::plainArc;
 using testing::Ge;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-const ContactScale kScale;
 
 std::vector<Contact> found(const Arc& a, const Arc& b, const std::vector<Contact>& joints = {}) {
     WorkBudget budget;
@@ -24,13 +25,6 @@ std::vector<Contact> found(const Arc& a, const Arc& b, const std::vector<Contact
     ContactSearch(kScale, joints, budget).search(a, b, contacts);
     return contacts;
 }
-
-auto isAt(double a, double b, double allowed = 1e-9) {
-    return testing::AllOf(testing::Field(&Contact::a, testing::DoubleNear(a, allowed)),
-                          testing::Field(&Contact::b, testing::DoubleNear(b, allowed)));
-}
-
-const Points kArch{{0, 0}, {0, 4}, {4, 4}, {4, 0}}; // its top, (2, 3), is at 1/2
 
 TEST(ContactSearch, findsWhereLinesCross) {
     const Arc line = plainArc(Points{{0, 0}, {4, 4}}), other = plainArc(Points{{0, 1}, {4, 0}});

@@ -9,11 +9,10 @@
 namespace kriva {
 namespace {
 
+using test::kTouching;
 using test::plainArc;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-constexpr double kTouching = 1e-12;
 
 std::optional<GraphGap> gapBetween(const Arc& a, const Arc& b) {
     WorkBudget budget;

@@ -10,12 +10,12 @@
 namespace kriva {
 namespace {
 
+using test::kArch;
+using test::kTouching;
 using test::plainArc;
 using testing::DoubleNear;
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-constexpr double kTouching = 1e-12;
 
 std::vector<double> passages(const Arc& arc, Point place, double gap = kTouching) {
     WorkBudget budget;
@@ -27,11 +27,10 @@ bool areTouching(const Arc& a, const Arc& b, Contact one, Contact other, double 
     return touchBetween(a, b, one, other, touching, budget);
 }
 
-auto isAt(double t, double allowed = 1e-9) {
+auto near(double t, double allowed = 1e-9) {
     return DoubleNear(t, allowed);
 }
 
-const Points kArch{{0, 0}, {0, 4}, {4, 4}, {4, 0}};
 const Points kLoop{{0, 0}, {6, 4}, {-2, 4}, {4, 0}}; // meets itself at 1/2 -+ sqrt(21) / 14
 
 TEST(Foot, isTheEndOfThePerpendicular) {
@@ -73,26 +72,26 @@ RC_GTEST_PROP(Passages, areFoundThroughEachPlaceOfTheArc, ()) {
 TEST(Passages, areToldOnceForEachPass) {
     const double h = std::sqrt(21.0) / 14;
     const Arc loop = plainArc(kLoop);
-    EXPECT_THAT(passages(loop, evaluate(loop, 0.5 - h).at), ElementsAre(isAt(0.5 - h), isAt(0.5 + h)));
-    EXPECT_THAT(passages(loop, evaluate(loop, 0.5).at), ElementsAre(isAt(0.5)));
+    EXPECT_THAT(passages(loop, evaluate(loop, 0.5 - h).at), ElementsAre(near(0.5 - h), near(0.5 + h)));
+    EXPECT_THAT(passages(loop, evaluate(loop, 0.5).at), ElementsAre(near(0.5)));
     // A line that runs to 4 and back to 2: x = 8 t - 6 t^2.
     const Arc turning = plainArc(Points{{0, 0}, {4, 0}, {2, 0}});
-    EXPECT_THAT(passages(turning, {2, 0}), ElementsAre(isAt(1.0 / 3), isAt(1)));
-    EXPECT_THAT(passages(turning, {1, 0}), ElementsAre(isAt((4 - std::sqrt(10.0)) / 6)));
+    EXPECT_THAT(passages(turning, {2, 0}), ElementsAre(near(1.0 / 3), near(1)));
+    EXPECT_THAT(passages(turning, {1, 0}), ElementsAre(near((4 - std::sqrt(10.0)) / 6)));
 }
 
 TEST(Passages, areToldAtTheEnds) {
     const Arc arch = plainArc(kArch);
-    EXPECT_THAT(passages(arch, arch.front()), ElementsAre(isAt(0, 0)));
-    EXPECT_THAT(passages(arch, arch.back()), ElementsAre(isAt(1, 0)));
+    EXPECT_THAT(passages(arch, arch.front()), ElementsAre(near(0, 0)));
+    EXPECT_THAT(passages(arch, arch.back()), ElementsAre(near(1, 0)));
     const Arc ring = plainArc(Points{{0, 0}, {2, 0}, {0, 2}, {0, 0}});
-    EXPECT_THAT(passages(ring, {0, 0}), ElementsAre(isAt(0, 0), isAt(1, 0)));
+    EXPECT_THAT(passages(ring, {0, 0}), ElementsAre(near(0, 0), near(1, 0)));
 }
 
 TEST(Passages, areThoseWithinTheGap) {
     const Arc arch = plainArc(kArch); // its top, (2, 3), is at 1/2
     for (const double gap : {1e-3, 1e-6, 1e-9}) {
-        EXPECT_THAT(passages(arch, {2, 3 + 0.99 * gap}, gap), ElementsAre(isAt(0.5, 1e-6))) << gap;
+        EXPECT_THAT(passages(arch, {2, 3 + 0.99 * gap}, gap), ElementsAre(near(0.5, 1e-6))) << gap;
         EXPECT_THAT(passages(arch, {2, 3 + 1.01 * gap}, gap), IsEmpty()) << gap;
         EXPECT_THAT(passages(arch, {2, 3 - 1.01 * gap}, gap), IsEmpty()) << gap;
         EXPECT_THAT(passages(arch, {-1.01 * gap, 0}, gap), IsEmpty()) << gap;
@@ -101,8 +100,8 @@ TEST(Passages, areThoseWithinTheGap) {
 
 TEST(Passages, haveTheParametersOfTheSegment) {
     const Arc stretch = part(plainArc(kArch), 0.25, 0.75);
-    EXPECT_THAT(passages(stretch, {2, 3}), ElementsAre(isAt(0.5)));
-    EXPECT_THAT(passages(stretch, stretch.front()), ElementsAre(isAt(0.25)));
+    EXPECT_THAT(passages(stretch, {2, 3}), ElementsAre(near(0.5)));
+    EXPECT_THAT(passages(stretch, stretch.front()), ElementsAre(near(0.25)));
     EXPECT_THAT(passages(stretch, {0, 0}), IsEmpty()) << "which is of the segment, not of its part";
 }
 

@@ -14,11 +14,12 @@ namespace kriva {
 namespace {
 
 using test::chebyshevCurve;
+using test::isAt;
+using test::kArch;
+using test::kScale;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-const ContactScale kScale;
 
 SegmentContacts meet(const Points& a, const Points& b, const std::vector<Contact>& joints = {},
                      const ArcFrame& frame = {}) {
@@ -31,12 +32,6 @@ SegmentContacts meetInFrame(const Points& a, const Points& b) {
     return meet(a, b, {}, test::kFrame);
 }
 
-auto isAt(double a, double b, double allowed = 1e-7) {
-    return testing::AllOf(testing::Field(&Contact::a, testing::DoubleNear(a, allowed)),
-                          testing::Field(&Contact::b, testing::DoubleNear(b, allowed)));
-}
-
-const Points kArch{{0, 0}, {0, 4}, {4, 4}, {4, 0}}; // its top, (2, 3), is at 1/2
 const Points kCusp{{0, 0}, {1, 1}, {0, 1}, {1, 0}}; // at 1/2, where it is at (1/2, 3/4)
 
 TEST(CuspedArc, hasTheCuspsOfItsSegment) {
