@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/document/document.h"
+#include "core/figure/style/figure_options.h"
 #include "core/io/svg/imported.h"
 #include "ui/base/language/language.h"
-#include "ui/figures/figure_file.h"
 
 #include <QStringList>
 

@@ -1,6 +1,7 @@
 #include "app/commands/export_options.h"
 
 #include "app/commands/option_number.h"
+#include "ui/figures/figure_file.h"
 #include "ui/figures/frame_text.h"
 
 #include <QCommandLineParser>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/figures/figure_file.h"
+#include "core/figure/style/figure_options.h"
 
 #include <QStringList>
 

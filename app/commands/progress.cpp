@@ -1,6 +1,5 @@
 #include "app/commands/progress.h"
 
-#include "app/commands/terminal.h"
 #include "ui/base/language/plain_text.h"
 
 #include <QCoreApplication>

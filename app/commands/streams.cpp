@@ -4,6 +4,7 @@
 #include "ui/document/document_file.h"
 #include "ui/document/error_text.h"
 #include "ui/document/file_rights.h"
+#include "ui/document/safe_write.h"
 
 #include <QCoreApplication>
 

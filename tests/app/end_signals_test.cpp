@@ -1,3 +1,4 @@
+#include "tests/support/document_files.h"
 #include "tests/support/long_run.h"
 #include "ui/document/document_file.h"
 #include "ui/document/recovery/found_recoveries.h"
@@ -218,14 +219,14 @@ TEST(Ending, whatIsSavedLeavesNothing) {
     const QString path = home.filePath(u"arch.kriva"_s);
     Document document;
     document.sheets[0].curves = {withPointsAdded(emptyCurve(0), Points{{0, 0}, {1, 2}, {3, 0}})};
-    ASSERT_EQ(saveDocument(path, document), std::nullopt);
+    ASSERT_EQ(test::saveDocument(path, document), std::nullopt);
     EditedKriva kriva(home);
     kriva.start(u"save"_s, {path}, 1, 1);
     ASSERT_TRUE(kriva.waitFor("saved"));
     kriva.end(SIGTERM);
     EXPECT_TRUE(kriva.endedByItself(0));
     EXPECT_TRUE(kriva.found().empty());
-    EXPECT_EQ(pointAt(std::get<LoadedFile>(loadDocument(path)).document.sheets[0].curves[0], 0).x, 101);
+    EXPECT_EQ(pointAt(std::get<LoadedFile>(test::loadDocument(path)).document.sheets[0].curves[0], 0).x, 101);
 }
 
 /// A program that was killed while a document of a file was changed, and those after it.
@@ -234,7 +235,7 @@ class NextStart : public testing::Test {
     NextStart() {
         Document document;
         document.sheets[0].curves = {withPointsAdded(emptyCurve(0), Points{{0, 0}, {1, 2}, {3, 0}})};
-        EXPECT_EQ(saveDocument(path, document), std::nullopt);
+        EXPECT_EQ(test::saveDocument(path, document), std::nullopt);
         before = boundedRead(path);
         EditedKriva kriva(home);
         kriva.start(u"edit"_s, {path}, 1, 1);

@@ -1,5 +1,6 @@
 #include "core/curve/text/utf8.h"
 #include "core/io/json/document_json.h"
+#include "tests/support/document_files.h"
 #include "tests/support/test_window.h"
 #include "ui/document/document_file.h"
 
@@ -50,8 +51,8 @@ class AnyText : public testing::Test {
         const QString path = folder_.filePath(QStringLiteral("a.kriva"));
         const std::string bytes = writeDocument(window_.window.document().value());
         EXPECT_TRUE(isUtf8(bytes));
-        ASSERT_FALSE(saveDocument(path, window_.window.document().value()));
-        const auto opened = loadDocument(path);
+        ASSERT_FALSE(test::saveDocument(path, window_.window.document().value()));
+        const auto opened = test::loadDocument(path);
         ASSERT_TRUE(std::holds_alternative<LoadedFile>(opened)) << bytes;
         const Document& document = std::get<LoadedFile>(opened).document;
         EXPECT_EQ(document, window_.window.document().value());

@@ -1,5 +1,6 @@
 #include "core/io/json/document_json.h"
 #include "tests/support/answers.h"
+#include "tests/support/document_files.h"
 #include "tests/support/test_window.h"
 #include "ui/document/sharing/content_hash.h"
 #include "ui/document/state_folder.h"
@@ -29,7 +30,7 @@ class DocumentSessionTest : public testing::Test {
   protected:
     DocumentSessionTest() {
         qputenv("XDG_STATE_HOME", folder.filePath(u"state"_s).toUtf8());
-        EXPECT_EQ(saveDocument(path, documentAt(1)), std::nullopt);
+        EXPECT_EQ(test::saveDocument(path, documentAt(1)), std::nullopt);
         session.fileWatch().setPause(1ms);
         EXPECT_TRUE(session.openFile(path));
     }
@@ -46,13 +47,13 @@ class DocumentSessionTest : public testing::Test {
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
     [[nodiscard]] const Document& value() { return window.window.document().value(); }
-    [[nodiscard]] Document onDisk() const { return std::get<LoadedFile>(loadDocument(path)).document; }
+    [[nodiscard]] Document onDisk() const { return std::get<LoadedFile>(test::loadDocument(path)).document; }
     [[nodiscard]] QString in(const QString& name) const { return folder.filePath(name); }
 
     /// Another program writes into the file, or removes it, and this one sees it.
     void changeElsewhere(double x) {
         QSignalSpy changed(&session.fileWatch(), &FileWatch::changed);
-        EXPECT_EQ(saveDocument(path, documentAt(x)), std::nullopt);
+        EXPECT_EQ(test::saveDocument(path, documentAt(x)), std::nullopt);
         ASSERT_TRUE(changed.wait(kPatience));
     }
     void removeElsewhere() {
@@ -97,7 +98,7 @@ TEST_F(DocumentSessionTest, aFileIsFreeOnceItsDocumentIsClosedOrSavedElsewhere) 
 
 TEST_F(DocumentSessionTest, asksBeforeItOpensWhatAnotherProgramHasOpen) {
     const QString theirs = in(u"theirs.kriva"_s);
-    ASSERT_EQ(saveDocument(theirs, documentAt(7)), std::nullopt);
+    ASSERT_EQ(test::saveDocument(theirs, documentAt(7)), std::nullopt);
     OpenFiles other;
     auto claim = other.claim(theirs, &other);
     answerWith(QMessageBox::Cancel);
@@ -129,7 +130,7 @@ TEST_F(DocumentSessionTest, asksBeforeItOpensWhatAnotherProgramHasOpen) {
 
 TEST_F(DocumentSessionTest, whoOpenedAFileAnywayIsKnownToThoseWhoComeLater) {
     const QString theirs = in(u"theirs.kriva"_s);
-    ASSERT_EQ(saveDocument(theirs, documentAt(7)), std::nullopt);
+    ASSERT_EQ(test::saveDocument(theirs, documentAt(7)), std::nullopt);
     OpenFiles other;
     OpenFiles third;
     auto claim = other.claim(theirs, &other);
@@ -194,7 +195,7 @@ TEST_F(DocumentSessionTest, aReloadAsksBeforeChangesAreLost) {
 TEST_F(DocumentSessionTest, asksBeforeItOverwritesWhatChangedOnTheDisk) {
     edit();
     const Document mine = value();
-    EXPECT_EQ(saveDocument(path, documentAt(2)), std::nullopt); // and nobody told it yet
+    EXPECT_EQ(test::saveDocument(path, documentAt(2)), std::nullopt); // and nobody told it yet
     answerWith(QMessageBox::Cancel);
     EXPECT_FALSE(session.save());
     EXPECT_EQ(onDisk(), documentAt(2));
@@ -202,20 +203,20 @@ TEST_F(DocumentSessionTest, asksBeforeItOverwritesWhatChangedOnTheDisk) {
     answerWith(u"Save as…"_s, [&] { chooseFile(in(u"mine.kriva"_s)); });
     EXPECT_TRUE(session.save());
     EXPECT_EQ(onDisk(), documentAt(2));
-    EXPECT_EQ(std::get<LoadedFile>(loadDocument(in(u"mine.kriva"_s))).document, mine);
+    EXPECT_EQ(std::get<LoadedFile>(test::loadDocument(in(u"mine.kriva"_s))).document, mine);
 }
 
 TEST_F(DocumentSessionTest, overwritesOrReloadsWhatChangedOnTheDiskWhenTold) {
     edit();
     const Document mine = value();
-    EXPECT_EQ(saveDocument(path, documentAt(2)), std::nullopt);
+    EXPECT_EQ(test::saveDocument(path, documentAt(2)), std::nullopt);
     answerWith(u"Overwrite"_s);
     EXPECT_TRUE(session.save());
     EXPECT_EQ(onDisk(), mine);
     EXPECT_FALSE(window.window.isWindowModified());
     EXPECT_TRUE(session.save()) << "nobody is asked: it is its own";
     edit();
-    EXPECT_EQ(saveDocument(path, documentAt(3)), std::nullopt);
+    EXPECT_EQ(test::saveDocument(path, documentAt(3)), std::nullopt);
     answerWith(u"Reload"_s, [] { answerWith(u"Reload"_s); });
     EXPECT_FALSE(session.save());
     EXPECT_EQ(value(), documentAt(3));
@@ -280,7 +281,7 @@ TEST_F(FileHoldsSomethingElse, savesUnderAnotherNameWhenTold) {
     answerWith(u"Save as…"_s, [&] { chooseFile(in(u"mine.kriva"_s)); });
     EXPECT_TRUE(window.window.close());
     EXPECT_EQ(bytesOf(path), "no document");
-    EXPECT_EQ(std::get<LoadedFile>(loadDocument(in(u"mine.kriva"_s))).document, documentAt(1));
+    EXPECT_EQ(std::get<LoadedFile>(test::loadDocument(in(u"mine.kriva"_s))).document, documentAt(1));
 }
 
 TEST_F(FileHoldsSomethingElse, keepsItForTheNextStart) {
@@ -291,14 +292,14 @@ TEST_F(FileHoldsSomethingElse, keepsItForTheNextStart) {
 
 TEST_F(FileHoldsSomethingElse, isNoMatterOnceItIsAsItWas) {
     QSignalSpy changed(&session.fileWatch(), &FileWatch::changed);
-    EXPECT_EQ(saveDocument(path, documentAt(1)), std::nullopt);
+    EXPECT_EQ(test::saveDocument(path, documentAt(1)), std::nullopt);
     ASSERT_TRUE(changed.wait(kPatience));
     EXPECT_FALSE(window.window.isWindowModified());
     EXPECT_TRUE(window.window.close()) << "nobody is asked";
 }
 
 TEST_F(DocumentSessionTest, whatChangedOnTheDiskAMomentAgoIsAskedAboutToo) {
-    EXPECT_EQ(saveDocument(path, documentAt(2)), std::nullopt); // and nobody told it yet
+    EXPECT_EQ(test::saveDocument(path, documentAt(2)), std::nullopt); // and nobody told it yet
     answerWith(QMessageBox::Cancel);
     EXPECT_FALSE(window.window.close());
 }
@@ -316,7 +317,7 @@ TEST_F(DocumentSessionTest, aRefusedSaveOffersAnotherName) {
     EXPECT_TRUE(session.saveTo(refused));
     EXPECT_EQ(session.path(), in(u"other.kriva"_s));
     EXPECT_FALSE(window.window.document().isModified());
-    EXPECT_EQ(std::get<LoadedFile>(loadDocument(in(u"other.kriva"_s))).document, mine);
+    EXPECT_EQ(std::get<LoadedFile>(test::loadDocument(in(u"other.kriva"_s))).document, mine);
     EXPECT_EQ(onDisk(), documentAt(1));
 }
 
@@ -325,7 +326,7 @@ TEST_F(DocumentSessionTest, aNameAsLongAsNamesCanBeIsSavedAgainAndAgain) {
     for (int i = 0; i < 3; ++i) {
         edit();
         EXPECT_TRUE(session.saveTo(longest));
-        EXPECT_EQ(std::get<LoadedFile>(loadDocument(longest)).document, value());
+        EXPECT_EQ(std::get<LoadedFile>(test::loadDocument(longest)).document, value());
     }
 }
 
@@ -366,7 +367,7 @@ TEST_F(RecoveredSession, isModifiedAndItsFileIsUntouchedUntilItIsSaved) {
 TEST_F(RecoveredSession, asksWhereTheFileChangedSince) {
     FoundRecovery recovery = found(path);
     session.show({});
-    EXPECT_EQ(saveDocument(path, documentAt(2)), std::nullopt);
+    EXPECT_EQ(test::saveDocument(path, documentAt(2)), std::nullopt);
     ASSERT_TRUE(session.recover(std::move(recovery)));
     answerWith(QMessageBox::Cancel);
     EXPECT_FALSE(session.save());

@@ -1,4 +1,5 @@
 #include "tests/support/answers.h"
+#include "tests/support/document_files.h"
 #include "tests/support/panel_test.h"
 #include "ui/panels/points_panel.h"
 
@@ -31,7 +32,7 @@ class Typing : public test::PanelTest {
     }
     [[nodiscard]] DocumentSession& session() { return shell.window.session(); }
     [[nodiscard]] Curve saved() const {
-        return std::get<LoadedFile>(loadDocument(file)).document.sheets[0].curves.at(0);
+        return std::get<LoadedFile>(test::loadDocument(file)).document.sheets[0].curves.at(0);
     }
     [[nodiscard]] bool isOpen() { return table.viewport()->findChild<QLineEdit*>() != nullptr; }
     [[nodiscard]] Curve withPoint(Point at) const { return withPointAdded(before, at).curve; }

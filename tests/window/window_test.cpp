@@ -1,5 +1,6 @@
 #include "core/io/svg/svg_writer.h"
 #include "tests/support/answers.h"
+#include "tests/support/sheet_svg.h"
 #include "tests/support/test_window.h"
 #include "ui/controls/player.h"
 #include "ui/document/safe_write.h"
@@ -280,7 +281,7 @@ TEST(Window, asksWhetherToOpenTheDocumentOrTheDrawingOfAnEditedFigure) {
     Document document;
     document.title = "Inside";
     document.sheets[0].curves = {withPointsAdded(emptyCurve(0), Points{{0, 0}, {1, 4}, {4, 0}})};
-    const std::string svg = writeSheetSvg(document, 0, textSource(), {{}, 10});
+    const std::string svg = test::sheetSvg(document, 0, textSource(), {{}, 10});
     const auto save = [&](std::string_view without, std::string_view with) {
         std::string text = svg;
         ASSERT_NE(text.find(without), std::string::npos);

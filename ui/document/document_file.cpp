@@ -1,14 +1,9 @@
 #include "ui/document/document_file.h"
 
-#include "core/io/json/document_json.h"
 #include "core/io/open.h"
 #include "core/io/svg/drawn_document.h"
 
 namespace kriva::ui {
-
-std::variant<LoadedFile, OpenError> loadDocument(const QString& path) {
-    return documentFrom(boundedRead(path));
-}
 
 std::variant<LoadedFile, OpenError> documentFrom(const std::variant<QByteArray, ReadError>& bytes) {
     if (const ReadError* error = std::get_if<ReadError>(&bytes))
@@ -22,11 +17,6 @@ std::variant<LoadedFile, OpenError> documentFrom(const std::variant<QByteArray, 
     if (isXml(text))
         loaded.drawn = drawnDocument(text, loaded.document);
     return loaded;
-}
-
-std::optional<WriteError> saveDocument(const QString& path, const Document& document) {
-    const std::string text = writeDocument(document);
-    return safeWrite(path, {text.data(), static_cast<qsizetype>(text.size())});
 }
 
 } // namespace kriva::ui

@@ -3,7 +3,6 @@
 #include "core/curve/file_error.h"
 #include "core/document/document.h"
 #include "ui/document/bounded_read.h"
-#include "ui/document/safe_write.h"
 
 namespace kriva::ui {
 
@@ -17,13 +16,7 @@ struct LoadedFile {
     std::optional<Document> drawn = {};
 };
 
-/// Reads a `.kriva` file, or a figure of Kriva with its document inside.
-[[nodiscard]] std::variant<LoadedFile, OpenError> loadDocument(const QString& path);
-
-/// The same from what was read already.
+/// What was read from a `.kriva` file, or from a figure of Kriva with its document inside.
 [[nodiscard]] std::variant<LoadedFile, OpenError> documentFrom(const std::variant<QByteArray, ReadError>& bytes);
-
-/// Writes the document; nothing on success.
-[[nodiscard]] std::optional<WriteError> saveDocument(const QString& path, const Document& document);
 
 } // namespace kriva::ui

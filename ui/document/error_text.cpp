@@ -3,7 +3,6 @@
 #include "ui/base/language/number_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 
 namespace kriva::ui {

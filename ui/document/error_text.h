@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/document/document_file.h"
+#include "ui/document/safe_write.h"
 
 #include <QString>
 

@@ -1,11 +1,13 @@
 #include "ui/figures/figure_file.h"
 
+#include "core/io/latex/tikz_writer.h"
 #include "core/io/numbers/plain_number.h"
 #include "core/io/svg/svg_writer.h"
 #include "core/io/tables/points_writer.h"
 #include "ui/document/error_text.h"
 #include "ui/figures/caption_text.h"
 #include "ui/figures/figure_ink.h"
+#include "ui/figures/picture_files.h"
 
 #include <QCoreApplication>
 

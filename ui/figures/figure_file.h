@@ -1,9 +1,8 @@
 #pragma once
 
 #include "core/io/drawing/drawing.h"
-#include "core/io/latex/tikz_writer.h"
-#include "ui/figures/picture_files.h"
 
+#include <QByteArray>
 #include <QString>
 
 #include <variant>

@@ -5,7 +5,6 @@
 #include <QRegularExpression>
 #include <QStringList>
 
-#include <algorithm>
 #include <cmath>
 
 namespace kriva::ui {

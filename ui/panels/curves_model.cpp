@@ -5,7 +5,6 @@
 #include "ui/editing/sheet_editor.h"
 
 #include <QColor>
-#include <QFont>
 
 #include <utility>
 

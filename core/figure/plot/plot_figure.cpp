@@ -1,12 +1,10 @@
 #include "core/figure/plot/plot_figure.h"
 
 #include "core/bezier/clip.h"
-#include "core/figure/labels.h"
 #include "core/figure/plot/plot_ticks.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace kriva {
 namespace {

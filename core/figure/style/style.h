@@ -2,7 +2,6 @@
 
 #include "core/figure/style/figure_options.h"
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>

@@ -3,7 +3,6 @@
 #include "core/curve/json/json_format.h"
 #include "core/curve/json/json_writer.h"
 #include "core/io/json/document_json.h"
-#include "core/io/svg/xml/svg_names.h"
 
 #include <algorithm>
 

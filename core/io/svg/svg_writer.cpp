@@ -274,10 +274,4 @@ std::string documentForSvg(const Document& document) {
     return json;
 }
 
-std::string writeSheetSvg(const Document& document, SheetIndex sheet, const TextSource& texts,
-                          const DrawingOptions& drawing, SvgOptions options) {
-    options.document = documentForSvg(document);
-    return writeSvg(drawingOf(document, sheet, texts, drawing), texts, options);
-}
-
 } // namespace kriva

@@ -24,12 +24,7 @@ struct SvgOptions {
 [[nodiscard]] std::string writeAnimatedSvg(std::span<const Drawing> frames, double seconds, const TextSource& texts,
                                            const SvgOptions& options = {});
 
-/// The document as SvgOptions::document has it.
+/// The document as SvgOptions::document has it: readDocumentFromSvg gives it back bit for bit.
 [[nodiscard]] std::string documentForSvg(const Document& document);
-
-/// The figure of a sheet with the document in the file, so that it opens again: readDocumentFromSvg gives the document
-/// back bit for bit.
-[[nodiscard]] std::string writeSheetSvg(const Document& document, SheetIndex sheet, const TextSource& texts,
-                                        const DrawingOptions& drawing = {}, SvgOptions options = {});
 
 } // namespace kriva

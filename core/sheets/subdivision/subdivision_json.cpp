@@ -3,8 +3,6 @@
 #include "core/curve/json/style_json.h"
 #include "core/sheets/subdivision/subdivision_edits.h"
 
-#include <algorithm>
-
 namespace kriva {
 namespace {
 

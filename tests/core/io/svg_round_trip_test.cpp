@@ -5,6 +5,7 @@
 #include "core/io/svg/paths/svg_paths.h"
 #include "core/io/svg/svg_writer.h"
 #include "tests/support/any_document.h"
+#include "tests/support/sheet_svg.h"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +58,7 @@ TEST(SvgRoundTrip, bringsBackAThousandDocumentsAndTheirCurves) {
         for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
             if (document.sheets[sheet].curves.empty())
                 continue;
-            const std::string svg = writeSheetSvg(document, sheet, kRoundTripTexts);
+            const std::string svg = test::sheetSvg(document, sheet, kRoundTripTexts);
             const auto back = readAnyDocument(svg);
             ASSERT_TRUE(std::holds_alternative<Document>(back));
             // The text tells -0.0 from 0.0, which compare equal.
@@ -65,7 +66,7 @@ TEST(SvgRoundTrip, bringsBackAThousandDocumentsAndTheirCurves) {
             const Drawing drawing = drawingOf(document, sheet, kRoundTripTexts);
             expectDrawn(svg, drawing);
             EXPECT_FALSE(drawnDocument(svg, document)) << "nobody edited it";
-            EXPECT_FALSE(drawnDocument(writeSheetSvg(document, sheet, kRoundTripTexts, {}, {{}, 2}), document));
+            EXPECT_FALSE(drawnDocument(test::sheetSvg(document, sheet, kRoundTripTexts, {}, {{}, 2}), document));
             drawn += drawnCurves(drawing).empty() ? 0 : 1;
         }
     }

@@ -1,4 +1,5 @@
 #include "core/io/svg/svg_writer.h"
+#include "tests/support/sheet_svg.h"
 #include "ui/base/examples.h"
 #include "ui/base/language/language.h"
 #include "ui/figures/caption_text.h"
@@ -36,7 +37,7 @@ TEST(GuidePictures, areWrittenByOneCommandAndAlwaysTheSame) {
         EXPECT_EQ(written.entryList({QStringLiteral("*.svg")}).size(), figures.size());
         for (const QString& figure : figures) {
             const Document document = exampleDocument(QStringLiteral(":/guide/figures/") + figure);
-            const std::string drawn = writeSheetSvg(document, document.active, textSource());
+            const std::string drawn = test::sheetSvg(document, document.active, textSource());
             EXPECT_EQ(contentOf(written.filePath(figure.chopped(6) + QStringLiteral(".svg"))).toStdString(), drawn);
         }
     }

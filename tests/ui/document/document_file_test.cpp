@@ -1,4 +1,6 @@
 #include "core/io/svg/svg_writer.h"
+#include "tests/support/document_files.h"
+#include "tests/support/sheet_svg.h"
 #include "ui/document/document_file.h"
 
 #include <gtest/gtest.h>
@@ -24,8 +26,8 @@ class DocumentFile : public testing::Test {
 };
 
 TEST_F(DocumentFile, comesBackAsItWasSaved) {
-    EXPECT_FALSE(saveDocument(path("arch.kriva"), arch()));
-    const auto loaded = loadDocument(path("arch.kriva"));
+    EXPECT_FALSE(test::saveDocument(path("arch.kriva"), arch()));
+    const auto loaded = test::loadDocument(path("arch.kriva"));
     ASSERT_TRUE(std::holds_alternative<LoadedFile>(loaded));
     EXPECT_EQ(std::get<LoadedFile>(loaded).document, arch());
     EXPECT_FALSE(std::get<LoadedFile>(loaded).drawn);
@@ -33,20 +35,20 @@ TEST_F(DocumentFile, comesBackAsItWasSaved) {
 
 TEST_F(DocumentFile, opensAFigureWithItsDocumentInside) {
     const TextSource texts{[](Caption) { return "Word"; }, [](double, int) { return std::string(); }, "en"};
-    EXPECT_FALSE(safeWrite(path("arch.svg"), QByteArray::fromStdString(writeSheetSvg(arch(), 0, texts))));
-    const auto loaded = loadDocument(path("arch.svg"));
+    EXPECT_FALSE(safeWrite(path("arch.svg"), QByteArray::fromStdString(test::sheetSvg(arch(), 0, texts))));
+    const auto loaded = test::loadDocument(path("arch.svg"));
     ASSERT_TRUE(std::holds_alternative<LoadedFile>(loaded));
     EXPECT_EQ(std::get<LoadedFile>(loaded).document, arch());
     EXPECT_FALSE(std::get<LoadedFile>(loaded).drawn);
 }
 
 TEST_F(DocumentFile, saysWhyItCannotBeOpenedOrSaved) {
-    const auto missing = loadDocument(path("none.kriva"));
+    const auto missing = test::loadDocument(path("none.kriva"));
     EXPECT_EQ(std::get<ReadError>(std::get<OpenError>(missing)).fault, ReadFault::Missing);
     EXPECT_FALSE(safeWrite(path("broken.kriva"), QByteArrayView("{")));
-    const auto broken = loadDocument(path("broken.kriva"));
+    const auto broken = test::loadDocument(path("broken.kriva"));
     EXPECT_EQ(std::get<FileError>(std::get<OpenError>(broken)).problem, FileProblem::notJson);
-    EXPECT_EQ(saveDocument(path("none/arch.kriva"), arch()).value().fault, WriteFault::NoFolder);
+    EXPECT_EQ(test::saveDocument(path("none/arch.kriva"), arch()).value().fault, WriteFault::NoFolder);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "core/io/svg/svg_writer.h"
 #include "core/sheets/combined/combined_figure.h"
 #include "tests/support/panel_test.h"
+#include "tests/support/sheet_svg.h"
 #include "ui/controls/player.h"
 #include "ui/figures/caption_text.h"
 #include "ui/tabs/properties/properties_panel.h"
@@ -28,7 +29,7 @@ class CombinedPropertiesTest : public test::PanelTest {
     void selectMiddle(int pair) { editor().select({{editor().activeSerial(), {GripKind::middle, pair}}}); }
 
     [[nodiscard]] bool isExported(const char* layer) {
-        const std::string svg = writeSheetSvg(editor().documentOnView(), 3, textSource());
+        const std::string svg = test::sheetSvg(editor().documentOnView(), 3, textSource());
         return svg.find("<g id=\"layer-" + std::string(layer) + "\"") != std::string::npos;
     }
     [[nodiscard]] bool says(const char* text) {

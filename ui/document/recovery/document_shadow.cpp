@@ -1,7 +1,5 @@
 #include "ui/document/recovery/document_shadow.h"
 
-#include <algorithm>
-
 namespace kriva::ui {
 
 Document documentOf(const DocumentSnapshot& snapshot) {

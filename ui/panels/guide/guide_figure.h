@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/figure/role_style.h"
+#include "core/figure/style/theme.h"
 
 #include <QImage>
 #include <QString>

@@ -7,8 +7,6 @@
 #include <QMainWindow>
 #include <QMenuBar>
 
-#include <algorithm>
-
 namespace kriva::ui {
 namespace {
 

@@ -5,7 +5,6 @@
 #include <QCoreApplication>
 #include <QPushButton>
 
-#include <tuple>
 #include <utility>
 #include <vector>
 

@@ -2,8 +2,6 @@
 
 #include "core/sheets/spline/chain/handles.h"
 
-#include <algorithm>
-
 namespace kriva {
 namespace {
 

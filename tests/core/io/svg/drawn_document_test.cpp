@@ -3,6 +3,7 @@
 #include "core/io/svg/drawn_sheet.h"
 #include "core/io/svg/svg_reader.h"
 #include "core/io/svg/svg_writer.h"
+#include "tests/support/sheet_svg.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,7 @@ Document twoCubics() {
 }
 
 std::string figureOf(const Document& document, SheetIndex sheet, const SvgOptions& options = {}) {
-    return writeSheetSvg(document, sheet, kFigureTexts, kTenTimes, options);
+    return test::sheetSvg(document, sheet, kFigureTexts, kTenTimes, options);
 }
 
 std::string replaced(std::string text, std::string_view what, std::string_view with) {

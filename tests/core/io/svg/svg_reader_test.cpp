@@ -4,6 +4,7 @@
 #include "core/io/svg/svg_reader.h"
 #include "core/io/svg/svg_writer.h"
 #include "tests/support/any_document.h"
+#include "tests/support/sheet_svg.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -42,7 +43,7 @@ std::string repeated(std::string_view text, int times) {
 RC_GTEST_PROP(SvgReader, givesTheDocumentBackBitForBit, ()) {
     const Document document = *test::anyDocument();
     for (const SheetIndex sheet : {SheetIndex(0), SheetIndex(1)}) {
-        const auto read = readAnyDocument(writeSheetSvg(document, sheet, kTexts));
+        const auto read = readAnyDocument(test::sheetSvg(document, sheet, kTexts));
         RC_ASSERT(std::holds_alternative<Document>(read));
         // The text tells -0.0 from 0.0, which compare equal.
         RC_ASSERT(writeDocument(std::get<Document>(read)) == writeDocument(document));

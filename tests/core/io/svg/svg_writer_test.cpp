@@ -2,6 +2,7 @@
 #include "core/io/json/document_json.h"
 #include "core/io/svg/svg_writer.h"
 #include "tests/support/any_document.h"
+#include "tests/support/sheet_svg.h"
 
 #include <gtest/gtest.h>
 #include <pugixml.hpp>
@@ -29,7 +30,7 @@ Document documentOf(std::vector<Points> polygons) {
 }
 
 std::string svgOf(const Document& document, const DrawingOptions& drawing = {}) {
-    return writeSheetSvg(document, 0, kWriterTexts, drawing);
+    return test::sheetSvg(document, 0, kWriterTexts, drawing);
 }
 std::string svgWithoutDocument(const Document& document, const SvgOptions& options = {}) {
     return writeSvg(drawingOf(document, 0, kWriterTexts), kWriterTexts, options);
@@ -158,7 +159,7 @@ TEST(SvgWriter, namesThePathOfEveryCurveOfEverySheet) {
     std::size_t curves = 0;
     for (const Document& document : cases()) {
         for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
-            const pugi::xml_document xml = parsed(writeSheetSvg(document, sheet, kWriterTexts));
+            const pugi::xml_document xml = parsed(test::sheetSvg(document, sheet, kWriterTexts));
             const pugi::xml_node layer = xml.document_element().find_child_by_attribute("g", "id", "layer-curve");
             for (std::size_t i = 0; i < document.sheets[sheet].curves.size(); ++i, ++curves)
                 EXPECT_TRUE(
@@ -172,8 +173,8 @@ TEST(SvgWriter, namesThePathOfEveryCurveOfEverySheet) {
 RC_GTEST_PROP(SvgWriter, isWellFormedAndWithoutExponentsAndTheSameTwice, ()) {
     const Document document = *test::anyDocument();
     for (const SheetIndex sheet : {SheetIndex(0), SheetIndex(1)}) {
-        const std::string svg = writeSheetSvg(document, sheet, kWriterTexts);
-        RC_ASSERT(svg == writeSheetSvg(document, sheet, kWriterTexts));
+        const std::string svg = test::sheetSvg(document, sheet, kWriterTexts);
+        RC_ASSERT(svg == test::sheetSvg(document, sheet, kWriterTexts));
         pugi::xml_document xml;
         RC_ASSERT(xml.load_buffer(svg.data(), svg.size()));
         for (const pugi::xpath_node path : xml.select_nodes("//path")) {

@@ -1,4 +1,5 @@
 #include "core/io/json/document_json.h"
+#include "tests/support/document_files.h"
 #include "ui/document/recovery/recovery.h"
 #include "ui/document/state_folder.h"
 
@@ -61,7 +62,7 @@ class RecoveryTest : public testing::Test {
     [[nodiscard]] Document onDisk() const {
         for (const QString& name : names())
             if (name.endsWith(u".kriva"))
-                return std::get<LoadedFile>(loadDocument(files() + u'/' + name)).document;
+                return std::get<LoadedFile>(test::loadDocument(files() + u'/' + name)).document;
         ADD_FAILURE() << "nothing is there";
         return {};
     }
