@@ -39,7 +39,6 @@ const Curve* ShownSheet::shown(Serial serial) const {
 
 Sheet ShownSheet::sheetOnView() const {
     Sheet onView = sheet();
-    onView.stage = layerStage_;
     if (stage_)
         onView.curves[static_cast<std::size_t>(onView.view.activeCurve)] = *stage_;
     return onView;

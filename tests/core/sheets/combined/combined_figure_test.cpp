@@ -77,9 +77,8 @@ std::vector<std::string_view> namesAt(std::optional<int> stage, const SheetView&
     Sheet sheet;
     sheet.curves = {threeRuns(CombinedCurve::Method::pairs)};
     sheet.view = view;
-    sheet.stage = stage;
     std::vector<std::string_view> names;
-    for (const Layer& layer : figureOf(sheet, 3).layers)
+    for (const Layer& layer : figureOf(sheet, 3, stage).layers)
         names.push_back(layer.name);
     return names;
 }
@@ -104,8 +103,7 @@ TEST(CombinedFigure, stagesShowNothingThatIsSwitchedOff) {
 TEST(CombinedFigure, aStageIsOfTheActiveCurveAlone) {
     Sheet sheet;
     sheet.curves = {CombinedCurve{}, threeRuns(CombinedCurve::Method::pairs)};
-    sheet.stage = 0;
-    EXPECT_FALSE(layerOf(figureOf(sheet, 3), "curve").strokes.empty());
+    EXPECT_FALSE(layerOf(figureOf(sheet, 3, 0), "curve").strokes.empty());
 }
 
 TEST(CombinedFigure, drawsTheRunsPolygonsAndPolynomials) {
