@@ -4,6 +4,7 @@
 #include "core/document/sheet_list.h"
 
 #include <type_traits>
+#include <utility>
 
 namespace kriva {
 
@@ -13,8 +14,21 @@ consteval bool areSheets(std::type_identity<std::variant<C...>>) {
 }
 static_assert(areSheets(std::type_identity<CurveKinds>()));
 
-/// A curve of any sheet.
-using Curve = CurveKinds;
+template <class C, class Kinds>
+inline constexpr bool isAmong = false;
+template <class C, class... Kinds>
+inline constexpr bool isAmong<C, std::variant<Kinds...>> = (std::same_as<C, Kinds> || ...);
+
+/// A curve of any sheet. None becomes one unless it is asked for, so that a function of this kind of curve can never
+/// stand in for one that a sheet does not have.
+class Curve : public CurveKinds {
+  public:
+    Curve() = default;
+    template <class C>
+    requires isAmong<C, CurveKinds>
+    explicit Curve(C curve)
+        : CurveKinds(std::move(curve)) {}
+};
 
 /// Which sheet: the index of its kind of curve.
 using SheetIndex = std::size_t;

@@ -11,7 +11,6 @@ namespace kriva {
 struct Sheet {
     std::vector<Curve> curves; ///< all of the sheet's own kind
     SheetView view;
-    std::optional<int> stage = {}; ///< of the active curve, as a player shows it: of the moment, never saved
     friend bool operator==(const Sheet&, const Sheet&) = default;
 };
 

@@ -70,53 +70,51 @@ std::uint64_t drawingSteps(const Curve& curve) {
     return std::visit([](const auto& c) { return drawingSteps(c); }, curve);
 }
 
-std::optional<Sheet> atFrame(Sheet sheet, const FramePlace& place) {
+std::optional<Frame<Sheet>> atFrame(const Sheet& sheet, const FramePlace& place) {
     if (sheet.curves.empty())
         return {};
-    Curve& active = sheet.curves[static_cast<std::size_t>(sheet.view.activeCurve)];
+    const auto active = static_cast<std::size_t>(sheet.view.activeCurve);
     return std::visit(
-        [&]<class C>(C& curve) -> std::optional<Sheet> {
-            if constexpr (C::kCapabilities.animation) {
-                std::optional<Frame<C>> frame = atFrame(curve, place);
-                if (!frame)
-                    return {};
-                curve = std::move(frame->curve);
-                sheet.stage = frame->layerStage;
-                return std::move(sheet);
-            } else {
-                return {};
-            }
+        [&]<class C>(const C& curve) -> std::optional<Frame<Sheet>> {
+            if constexpr (C::kCapabilities.animation)
+                if (std::optional<Frame<C>> there = atFrame(curve, place)) {
+                    Frame<Sheet> frame{sheet, there->layerStage};
+                    frame.value.curves[active] = Curve(std::move(there->value));
+                    return frame;
+                }
+            return {};
         },
-        active);
+        sheet.curves[active]);
 }
 
-FigureContext contextOf(const Sheet& sheet, int curve) {
+FigureContext contextOf(const Sheet& sheet, int curve, std::optional<int> stage) {
     const bool isActive = curve == sheet.view.activeCurve;
-    return {curve, isActive, &sheet.view, isActive ? sheet.stage : std::nullopt};
+    return {curve, isActive, &sheet.view, isActive ? stage : std::nullopt};
 }
 
-Figure figureOfCurves(const Sheet& sheet, SheetIndex index) {
+Figure figureOfCurves(const Sheet& sheet, SheetIndex index, std::optional<int> stage) {
     std::vector<Figure> figures;
     for (std::size_t i = 0; i < sheet.curves.size(); ++i) {
         const Curve& curve = sheet.curves[i];
         if (!viewOf(curve).isShown)
             continue;
-        const FigureContext context = contextOf(sheet, static_cast<int>(i));
+        const FigureContext context = contextOf(sheet, static_cast<int>(i), stage);
         figures.push_back(composed(unstyledFigure(curve, context), curve, context));
     }
     return united(std::move(figures), layersOf(index));
 }
 
-Figure figureOf(const Sheet& sheet, SheetIndex index) {
+Figure figureOf(const Sheet& sheet, SheetIndex index, std::optional<int> stage) {
     WorkBudget budget(limits::kSteps);
-    return figureOf(sheet, index, shownRelations(sheet, index, budget));
+    return figureOf(sheet, index, shownRelations(sheet, index, budget), stage);
 }
 
-Figure figureOf(const Sheet& sheet, SheetIndex index, const Relations& relations) {
-    const std::span<const LayerInfo> layers = layersOf(index);
+Figure figureOf(const Sheet& sheet, SheetIndex index, const Relations& relations, std::optional<int> stage) {
+    Figure figure = figureOfCurves(sheet, index, stage);
     if (relations.figure.layers.empty())
-        return figureOfCurves(sheet, index);
-    return united({figureOfCurves(sheet, index), shownLayers(relations.figure, layers, {.view = &sheet.view})}, layers);
+        return figure;
+    const std::span<const LayerInfo> layers = layersOf(index);
+    return united({std::move(figure), shownLayers(relations.figure, layers, {.view = &sheet.view})}, layers);
 }
 
 Relations shownRelations(const Sheet& sheet, SheetIndex index, WorkBudget& budget) {

@@ -16,19 +16,22 @@ namespace kriva {
 [[nodiscard]] std::uint64_t drawingSteps(const Curve& curve);
 
 /// The sheet with its active curve at that place of its animation; nothing where it has no such place.
-[[nodiscard]] std::optional<Sheet> atFrame(Sheet sheet, const FramePlace& place);
+[[nodiscard]] std::optional<Frame<Sheet>> atFrame(const Sheet& sheet, const FramePlace& place);
+
+// `stage`: the one of the active curve's algorithm after which its layers are hidden; nothing shows all.
 
 /// How a curve of the sheet, which outlives this, enters its figure.
-[[nodiscard]] FigureContext contextOf(const Sheet& sheet, int curve);
+[[nodiscard]] FigureContext contextOf(const Sheet& sheet, int curve, std::optional<int> stage = {});
 
 /// The figure of a whole sheet under its view: what its canvas shows and an export draws. Relations that are beyond the
 /// limits are not in it.
-[[nodiscard]] Figure figureOf(const Sheet& sheet, SheetIndex index);
+[[nodiscard]] Figure figureOf(const Sheet& sheet, SheetIndex index, std::optional<int> stage = {});
 /// The same with relations that are known, as shownRelations() gives them.
-[[nodiscard]] Figure figureOf(const Sheet& sheet, SheetIndex index, const Relations& relations);
+[[nodiscard]] Figure figureOf(const Sheet& sheet, SheetIndex index, const Relations& relations,
+                              std::optional<int> stage = {});
 /// What the curves have with each other if the view shows it, otherwise empty, and where it was stopped.
 [[nodiscard]] Relations shownRelations(const Sheet& sheet, SheetIndex index, WorkBudget& budget);
 /// The same without the relations of the curves: quick, and of the same box.
-[[nodiscard]] Figure figureOfCurves(const Sheet& sheet, SheetIndex index);
+[[nodiscard]] Figure figureOfCurves(const Sheet& sheet, SheetIndex index, std::optional<int> stage = {});
 
 } // namespace kriva

@@ -2,6 +2,7 @@
 
 #include "core/bezier/evaluate.h"
 #include "core/sheets/combined/combined.h"
+#include "tests/support/sheet_curves.h"
 #include "tests/support/test_window.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +54,7 @@ class GestureTest {
     [[nodiscard]] const SplineCurve& spline() { return std::get<SplineCurve>(curve()); }
     [[nodiscard]] const SplineKnot& knot(int index) { return spline().knots[static_cast<std::size_t>(index)]; }
     ui::OpenDocument& document() { return window.window.document(); }
-    void use(Curve value) {
+    void use(AnyCurve value) {
         Document figure = document().value();
         figure.sheets[sheet].curves = {value};
         use(std::move(figure));

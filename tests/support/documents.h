@@ -47,7 +47,7 @@ C curveOf(std::string_view curve) {
 template <class C>
 Document documentOfCurve(C curve) {
     Document document;
-    document.sheets[*sheetNamed(C::kSheet)].curves = {std::move(curve)};
+    document.sheets[*sheetNamed(C::kSheet)].curves.emplace_back(std::move(curve));
     return document;
 }
 

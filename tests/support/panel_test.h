@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/support/sheet_curves.h"
 #include "tests/support/test_window.h"
 #include "ui/controls/number_field.h"
 
@@ -83,10 +84,10 @@ class PanelTest : public testing::Test {
         , tab(shell.shown(sheet)) {}
 
     /// Shows a document with these curves in the tab's sheet alone.
-    void open(std::vector<Curve> curves) {
+    void open(const std::vector<AnyCurve>& curves) {
         Document document;
         document.active = sheet_;
-        document.sheets[sheet_].curves = std::move(curves);
+        document.sheets[sheet_].curves.assign(curves.begin(), curves.end());
         shell.window.session().show(document);
         QApplication::processEvents();
     }
@@ -119,14 +120,14 @@ class PanelTest : public testing::Test {
         return texts;
     }
     /// One step of that name led from `before` to `after` and to nothing else; undo takes all of it back.
-    void expectOneStep(const char* name, const Curve& before, const Curve& after) {
+    void expectOneStep(const char* name, const AnyCurve& before, const AnyCurve& after) {
         EXPECT_EQ(steps(), QStringList(QString::fromUtf8(name)));
         EXPECT_TRUE(curve() == after);
         document().undo();
         EXPECT_TRUE(curve() == before);
     }
     /// Nothing happened.
-    void expectNoStep(const Curve& before) {
+    void expectNoStep(const AnyCurve& before) {
         EXPECT_EQ(steps(), QStringList());
         EXPECT_TRUE(curve() == before);
     }

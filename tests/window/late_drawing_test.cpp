@@ -1,4 +1,5 @@
 #include "core/document/sheet_figure.h"
+#include "tests/support/sheet_curves.h"
 #include "tests/support/test_window.h"
 
 #include <gtest/gtest.h>
@@ -19,17 +20,17 @@ CombinedCurve zigzag(int points) {
     return curve;
 }
 
-Document documentWith(std::vector<Curve> curves) {
+Document documentWith(const std::vector<test::AnyCurve>& curves) {
     Document document;
     document.active = kCombined;
-    document.sheets[kCombined].curves = std::move(curves);
+    document.sheets[kCombined].curves.assign(curves.begin(), curves.end());
     return document;
 }
 
 class LateDrawingTest : public testing::Test {
   protected:
-    void open(std::vector<Curve> curves) {
-        shell.window.session().show(documentWith(std::move(curves)));
+    void open(const std::vector<test::AnyCurve>& curves) {
+        shell.window.session().show(documentWith(curves));
         canvas = &shell.window.tab(kCombined).canvas();
     }
     [[nodiscard]] ui::Serial serial(std::size_t curve) { return shell.window.document().serials(kCombined)[curve]; }
@@ -48,7 +49,7 @@ class LateDrawingTest : public testing::Test {
         EXPECT_TRUE(std::ranges::equal(shown.grips, drawnNow->grips));
         EXPECT_TRUE(std::ranges::equal(shown.layers, drawnNow->figure.layers));
     }
-    void put(std::size_t curve, Curve value) {
+    void put(std::size_t curve, test::AnyCurve value) {
         shell.window.document().change(kCombined, serial(curve), std::move(value), kStep);
     }
 
@@ -72,7 +73,7 @@ TEST_F(LateDrawingTest, whatAFrameHasTimeForIsThereAtOnce) {
 }
 
 TEST_F(LateDrawingTest, manySmallCurvesAreDrawnLateToo) {
-    open(std::vector<Curve>(20, zigzag(800)));
+    open(std::vector<test::AnyCurve>(20, zigzag(800)));
     EXPECT_EQ(shownOf(serial(7)).layers.size(), 1u);
     test::settle();
     for (std::size_t curve = 0; curve < 20; ++curve)

@@ -1,6 +1,7 @@
 #include "core/document/conversion.h"
 #include "core/io/json/document_json.h"
 #include "tests/support/picture_trap.h"
+#include "tests/support/sheet_curves.h"
 #include "tests/support/test_window.h"
 #include "ui/base/language/plain_text.h"
 #include "ui/document/safe_write.h"
@@ -308,11 +309,11 @@ TEST_F(OutsideText, whatAnEditIsRefusedForIsSaidWithoutAPathIntoADocument) {
         curve.points.push_back({static_cast<double>(i), static_cast<double>(i % 3)});
     Document document;
     document.active = 3;
-    document.sheets[3].curves = {curve};
+    document.sheets[3].curves = test::curves({curve});
     window.window.session().show(document);
     curve.method = CombinedCurve::Method::interpolation;
     const Serial serial = tab.editor().activeSerial();
-    EXPECT_FALSE(window.window.document().change(3, serial, curve, {"Set the method"}));
+    EXPECT_FALSE(window.window.document().change(3, serial, Curve(curve), {"Set the method"}));
     EXPECT_EQ(window.window.findChild<QLabel*>(QStringLiteral("hint"))->text(),
               QStringLiteral("interpolation takes at most 201 points in a monotone run, and one has 300"));
 }

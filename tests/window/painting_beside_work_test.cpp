@@ -1,3 +1,4 @@
+#include "tests/support/sheet_curves.h"
 #include "tests/support/test_window.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ Document randomSpline(int knots) {
         curve.knots.push_back({{anywhere(random), anywhere(random)}, {}, {}, {}});
     Document document;
     document.active = 2;
-    document.sheets[2].curves = {curve};
+    document.sheets[2].curves = test::curves({curve});
     return document;
 }
 

@@ -47,10 +47,8 @@ bool CanvasContent::isShown(Serial serial) const {
 }
 
 FigureContext CanvasContent::contextOf(Serial serial) const {
-    FigureContext context = kriva::contextOf(sheet_.sheet(), *sheet_.document().indexOf(sheet_.index(), serial));
-    if (context.isActive)
-        context.stage = sheet_.layerStage();
-    return context;
+    const int index = *sheet_.document().indexOf(sheet_.index(), serial);
+    return kriva::contextOf(sheet_.sheet(), index, sheet_.layerStage());
 }
 
 CanvasCurve CanvasContent::undrawn(Serial serial) const {

@@ -7,7 +7,9 @@
 namespace kriva::ui {
 namespace {
 
-Drawing drawn(const Document& document, SheetIndex sheet, const FigureFileOptions& options, WorkBudget& budget) {
+Drawing drawn(const Document& document, SheetIndex sheet, FigureFileOptions options, std::optional<int> stage,
+              WorkBudget& budget) {
+    options.drawing.stage = stage;
     if (!options.frames.empty())
         if (auto strip = frameStripOf(document, sheet, options.frames, textSource(), options.drawing, budget))
             return *std::move(strip);
@@ -16,13 +18,14 @@ Drawing drawn(const Document& document, SheetIndex sheet, const FigureFileOption
 
 } // namespace
 
-ExportSubject sheetToExport(Document document, SheetIndex sheet) {
+ExportSubject sheetToExport(Document document, SheetIndex sheet, std::optional<int> stage) {
     ExportSubject subject;
     for (const LayerInfo& layer : layersOf(sheet))
         subject.layers.push_back({layer.name, layer.caption, isShown(layer, document.sheets[sheet].view)});
     subject.hasFrames = atFrame(document.sheets[sheet], {FramePlace::Over::stage, 1}).has_value();
-    subject.drawing = [document = std::move(document), sheet](const FigureFileOptions& options, WorkBudget& budget) {
-        return drawn(document, sheet, options, budget);
+    subject.drawing = [document = std::move(document), sheet, stage](const FigureFileOptions& options,
+                                                                     WorkBudget& budget) {
+        return drawn(document, sheet, options, stage, budget);
     };
     return subject;
 }

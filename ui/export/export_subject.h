@@ -20,8 +20,8 @@ struct ExportSubject {
     std::function<Drawing(const FigureFileOptions&, WorkBudget&)> drawing;
 };
 
-/// The figure of a sheet, or frames of it side by side.
-[[nodiscard]] ExportSubject sheetToExport(Document document, SheetIndex sheet);
+/// The figure of a sheet after a stage of its active curve's algorithm, or frames of it side by side.
+[[nodiscard]] ExportSubject sheetToExport(Document document, SheetIndex sheet, std::optional<int> stage = {});
 
 /// Plots one above the other.
 [[nodiscard]] ExportSubject plotsToExport(std::vector<Plot> plots);

@@ -66,7 +66,8 @@ QString proposedName(const SheetEditor& editor, const QString& name, FigureForma
 }
 
 /// The file of the stage on view; nothing where a person would not wait for it.
-std::optional<FigureFile> madeFile(const SheetEditor& editor, const FigureFileOptions& options, QWidget* window) {
+std::optional<FigureFile> madeFile(const SheetEditor& editor, FigureFileOptions options, QWidget* window) {
+    options.drawing.stage = editor.layerStage();
     return workedOut<FigureFile>(
         [document = editor.documentOnView(), sheet = editor.index(), options](const std::stop_token& stop) {
             WorkBudget budget(limits::kSteps, stop);
@@ -99,8 +100,8 @@ FigureExport::FigureExport(QWidget* window)
     , window_(window) {}
 
 void FigureExport::ask(const SheetEditor& editor, const QString& name) {
-    ExportDialog dialog(sheetToExport(editor.documentOnView(), editor.index()), optionsOf(editor), editor.workers(),
-                        window_);
+    ExportDialog dialog(sheetToExport(editor.documentOnView(), editor.index(), editor.layerStage()), optionsOf(editor),
+                        editor.workers(), window_);
     if (dialog.exec() != QDialog::Accepted)
         return;
     const FigureFormat format = dialog.options().format;
@@ -171,9 +172,10 @@ void FigureExport::copyPath(const SheetEditor& editor) const {
 }
 
 void FigureExport::print(const SheetEditor& editor, const QString& name) {
+    DrawingOptions options = optionsOf(editor).drawing;
+    options.stage = editor.layerStage();
     const auto made = workedOut<Drawing>(
-        [document = editor.documentOnView(), sheet = editor.index(),
-         options = optionsOf(editor).drawing](const std::stop_token& stop) {
+        [document = editor.documentOnView(), sheet = editor.index(), options](const std::stop_token& stop) {
             WorkBudget budget(limits::kSteps, stop);
             return drawingOf(document, sheet, textSource(), options, budget);
         },

@@ -21,7 +21,9 @@ struct DrawingOptions {
     std::optional<double> mmPerUnit = {};
     double margin = kPageMargin;                         ///< in millimetres
     std::optional<std::vector<std::string>> layers = {}; ///< these alone, by name
-    std::optional<std::size_t> curve = {};               ///< this one alone, as the active curve; never remembered
+    // What is of the moment is never remembered.
+    std::optional<std::size_t> curve = {}; ///< this one alone, as the active curve
+    std::optional<int> stage = {}; ///< after which the layers of the active curve are hidden, as a player has it
     bool hasLabels = true;
     Theme theme = Theme::light;
     friend bool operator==(const DrawingOptions&, const DrawingOptions&) = default;

@@ -13,10 +13,11 @@ struct FramePlace {
     friend constexpr bool operator==(const FramePlace&, const FramePlace&) = default;
 };
 
-/// A curve as it is there, and how many stages of its layers are shown; nothing shows all.
-template <class C>
+/// A curve, or a sheet with its active curve, as it is there, and after which stage its layers are hidden; nothing
+/// shows all.
+template <class Value>
 struct Frame {
-    C curve;
+    Value value;
     std::optional<int> layerStage = {};
 };
 

@@ -83,13 +83,13 @@ std::optional<FrameFigures> frameFigures(const Document& document, SheetIndex sh
     const Sheet onView = chosen(document.sheets[sheet], sheet, options);
     FrameFigures frames;
     for (const FramePlace& place : places) {
-        const std::optional<Sheet> frame = atFrame(onView, place);
+        const std::optional<Frame<Sheet>> frame = atFrame(onView, place);
         if (!frame)
             return {};
-        const Relations relations = shownRelations(*frame, sheet, budget);
+        const Relations relations = shownRelations(frame->value, sheet, budget);
         if (relations.refusal)
             frames.refusal = relations.refusal;
-        frames.figures.push_back(lettered(figureOf(*frame, sheet, relations), options));
+        frames.figures.push_back(lettered(figureOf(frame->value, sheet, relations, frame->layerStage), options));
         frames.box = united(frames.box, boxOf(frames.figures.back()));
     }
     return frames;
@@ -121,7 +121,7 @@ Drawing drawingOf(const Document& document, SheetIndex sheet, const TextSource& 
                   WorkBudget& budget) {
     const Sheet onView = chosen(document.sheets[sheet], sheet, options);
     const Relations relations = shownRelations(onView, sheet, budget);
-    Figure figure = lettered(figureOf(onView, sheet, relations), options);
+    Figure figure = lettered(figureOf(onView, sheet, relations, options.stage), options);
     const Box box = boxOf(figure);
     Drawing drawing = drawn(std::move(figure), box, document, sheet, texts, options);
     drawing.sheet = sheet;

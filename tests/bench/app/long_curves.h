@@ -22,13 +22,13 @@ inline Curve splineThrough(const Points& points, SplineCurve::Rule rule) {
     curve.rule = rule;
     for (const Point at : points)
         curve.knots.push_back({at, {}, {}, {}});
-    return curve;
+    return Curve(std::move(curve));
 }
 
 inline Curve combinedThrough(const Points& points) {
     CombinedCurve curve;
     curve.points = points;
-    return curve;
+    return Curve(std::move(curve));
 }
 
 /// A document with this curve alone, in whose sheet it opens.

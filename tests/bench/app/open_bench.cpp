@@ -24,7 +24,7 @@ Document randomSplines(int curves, int knots) {
         SplineCurve curve;
         for (int k = 0; k < knots; ++k)
             curve.knots.push_back({{anywhere(random), anywhere(random)}, {}, {}, {}});
-        document.sheets[2].curves.push_back(std::move(curve));
+        document.sheets[2].curves.emplace_back(std::move(curve));
     }
     return document;
 }

@@ -13,7 +13,7 @@ void playElevations(benchmark::State& state, bool hasAllPolygons) {
     test::TestWindow shell;
     ui::SheetTab& tab = shell.shown(0);
     Document document;
-    document.sheets[0].curves = {ElevationCurve{"", {{0, 0}, {4, 8}, {12, 8}, {16, 0}}, 0, {}, {}}};
+    document.sheets[0].curves.emplace_back(ElevationCurve{"", {{0, 0}, {4, 8}, {12, 8}, {16, 0}}, 0, {}, {}});
     document.sheets[0].view.layers["all-polygons"] = hasAllPolygons;
     shell.window.document().replace(std::move(document));
     test::settle();

@@ -17,9 +17,9 @@ CombinedCurve wave(std::size_t points) {
 
 TEST(LimitError, ofAnEditHasNumbersAndNoPlace) {
     CombinedCurve curve = wave(300);
-    EXPECT_FALSE(limitErrorWith({}, {}, curve));
+    EXPECT_FALSE(limitErrorWith({}, {}, Curve(curve)));
     curve.method = CombinedCurve::Method::interpolation;
-    const FileError error = limitErrorWith({}, {}, curve).value();
+    const FileError error = limitErrorWith({}, {}, Curve(curve)).value();
     EXPECT_EQ(error.problem, FileProblem::tooManyPointsInRun);
     EXPECT_EQ(error.numbers, (std::vector<double>{201, 300}));
     EXPECT_EQ(error.place, "");
@@ -31,13 +31,13 @@ TEST(LimitError, ofAnInterpolationTellsTheLongestRun) {
     curve.points.push_back({-1, 0}); // turns back
     for (int i = 2; i < 290; ++i)
         curve.points.push_back({static_cast<double>(-i), 0});
-    EXPECT_EQ(limitErrorWith({}, {}, curve).value().numbers, (std::vector<double>{201, 289}));
+    EXPECT_EQ(limitErrorWith({}, {}, Curve(curve)).value().numbers, (std::vector<double>{201, 289}));
 }
 
 TEST(LimitError, ofACurveTellsItsPoints) {
     ElevationCurve curve;
     curve.points.assign(limits::kControlPoints + 5, {1, 2});
-    const FileError error = limitErrorWith({}, {}, curve).value();
+    const FileError error = limitErrorWith({}, {}, Curve(curve)).value();
     EXPECT_EQ(error.problem, FileProblem::tooManyPointsInCurve);
     EXPECT_EQ(error.numbers, (std::vector<double>{201, 206}));
 }
@@ -45,7 +45,7 @@ TEST(LimitError, ofACurveTellsItsPoints) {
 TEST(LimitError, ofCoordinatesTellsTheirRange) {
     ElevationCurve curve;
     curve.points = {{0, 0}, {0, 2e9}};
-    const FileError error = limitErrorWith({}, {}, curve).value();
+    const FileError error = limitErrorWith({}, {}, Curve(curve)).value();
     EXPECT_EQ(error.problem, FileProblem::coordinatesOutOfRange);
     EXPECT_EQ(error.numbers, (std::vector<double>{-1e9, 1e9}));
 }

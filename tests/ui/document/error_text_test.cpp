@@ -3,6 +3,7 @@
 #include "core/io/json/document_json.h"
 #include "core/io/open.h"
 #include "core/io/svg/imported.h"
+#include "tests/support/sheet_curves.h"
 #include "ui/document/error_text.h"
 
 #include <gtest/gtest.h>
@@ -163,10 +164,10 @@ TEST(ErrorText, ofAnEditNamesTheLimitAndNoPlace) {
     elevation.points = {{0, 0}, {2e9, 0}};
     EXPECT_EQ(ofEdit(elevation), "coordinates go from -1000000000 to 1000000000");
     elevation.points = {{0, 0}, {1, 0}};
-    EXPECT_EQ(ofEdit(elevation, Sheet{std::vector<Curve>(1000, ElevationCurve()), {}}),
+    EXPECT_EQ(ofEdit(elevation, Sheet{std::vector<Curve>(1000, Curve(ElevationCurve())), {}}),
               "a sheet takes at most 1000 curves, and these are 1001");
     elevation.times = 10'000;
-    EXPECT_EQ(ofEdit(elevation, Sheet{std::vector<Curve>(200, elevation), {}}),
+    EXPECT_EQ(ofEdit(elevation, Sheet{std::vector<Curve>(200, Curve(elevation)), {}}),
               "a sheet takes at most 2000000 points of elevated curves and of pieces");
 }
 
@@ -176,7 +177,7 @@ TEST(ErrorText, ofAReportNamesTheSheetAndTheLimit) {
     for (std::size_t i = 0; i < spline.knots.size(); ++i)
         spline.knots[i].at = {static_cast<double>(i), 0};
     Document document;
-    document.sheets[kSpline].curves = {spline};
+    document.sheets[kSpline].curves = test::curves({spline});
     const std::optional<FileError> error = reportLimitError(document, {});
     ASSERT_TRUE(error);
     EXPECT_EQ(sentence(*error),

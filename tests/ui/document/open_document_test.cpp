@@ -2,6 +2,7 @@
 #include "core/io/json/document_json.h"
 #include "core/sheets/subdivision/subdivision_edits.h"
 #include "tests/support/long_run.h"
+#include "tests/support/sheet_curves.h"
 #include "ui/document/open_document.h"
 #include "ui/editing/sheet_editor.h"
 
@@ -34,7 +35,7 @@ class OpenDocumentTest : public testing::Test {
   protected:
     OpenDocumentTest() {
         Document start;
-        start.sheets[kElevationSheet].curves = {singleArch()};
+        start.sheets[kElevationSheet].curves = test::curves({singleArch()});
         document.replace(start);
         serial = document.serials(kElevationSheet).front();
     }
@@ -261,7 +262,7 @@ TEST_F(OpenDocumentTest, anySequenceCanBeUndoneAndRedoneByteForByte) {
     for (unsigned seed = 0; seed < sequences; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         Document start;
-        start.sheets[kElevationSheet].curves = {singleArch()};
+        start.sheets[kElevationSheet].curves = test::curves({singleArch()});
         document.replace(start);
         Person person(document, seed);
         for (int i = 0; i < 50; ++i) {
@@ -290,21 +291,21 @@ TEST_F(OpenDocumentTest, dividingACurveIsOneStepAndIsRefusedAsAWhole) {
     whole.points = {{0, 0}, {1, 1}, {2, 0}};
     whole.multiplicity.assign(3, 1);
     Document start;
-    start.sheets[1].curves = {whole, whole};
+    start.sheets[1].curves = test::curves({whole, whole});
     document.replace(start);
     const Serial first = document.serials(1)[0];
     const auto parts = *dividedAtCut(whole);
     EXPECT_TRUE(document.divide(1, first, parts[0], parts[1], kMove));
-    EXPECT_EQ(document.sheet(1).curves, (std::vector<Curve>{parts[0], parts[1], whole}));
+    EXPECT_EQ(document.sheet(1).curves, test::curves({parts[0], parts[1], whole}));
     EXPECT_EQ(document.activeCurve(1), first);
     EXPECT_EQ(document.history(1).count(), 1);
     document.setActiveSheet(1);
     document.undo();
-    EXPECT_EQ(document.sheet(1).curves, (std::vector<Curve>{whole, whole}));
+    EXPECT_EQ(document.sheet(1).curves, test::curves({whole, whole}));
     document.redo();
     EXPECT_EQ(document.sheet(1).curves.size(), 3u);
 
-    start.sheets[1].curves.assign(limits::kCurvesInSheet, whole);
+    start.sheets[1].curves.assign(limits::kCurvesInSheet, Curve(whole));
     document.replace(start);
     EXPECT_FALSE(document.divide(1, document.serials(1)[0], parts[0], parts[1], kMove));
     EXPECT_EQ(document.sheet(1).curves, start.sheets[1].curves);

@@ -112,6 +112,7 @@ TEST_F(SheetInputTest, insertingMakesTheCurveActive) {
     view.setTool(Tool::add);
     move({0, 100});
     const Point onArc = pointAt(withPointInserted(value(arc()), {55, 70})->curve, 2);
+
     click(onArc);
     EXPECT_EQ(editor.activeSerial(), arc());
     EXPECT_EQ(static_cast<int>(value(arc()).knots.size()), count + 1);

@@ -29,7 +29,8 @@ class CombinedPropertiesTest : public test::PanelTest {
     void selectMiddle(int pair) { editor().select({{editor().activeSerial(), {GripKind::middle, pair}}}); }
 
     [[nodiscard]] bool isExported(const char* layer) {
-        const std::string svg = test::sheetSvg(editor().documentOnView(), 3, textSource());
+        const std::string svg =
+            test::sheetSvg(editor().documentOnView(), 3, textSource(), {.stage = editor().layerStage()});
         return svg.find("<g id=\"layer-" + std::string(layer) + "\"") != std::string::npos;
     }
     [[nodiscard]] bool says(const char* text) {

@@ -226,11 +226,11 @@ TEST_F(SubdivisionPropertiesTest, theAnimationStopsWhereItsCurveGoes) {
 TEST_F(SubdivisionPropertiesTest, splittingMakesTwoCurvesInOneStep) {
     const auto parts = *dividedAtCut(before);
     click(test::saying<QPushButton>(properties, "Split here"));
-    EXPECT_EQ(editor().sheet().curves, (std::vector<Curve>{parts[0], parts[1]}));
+    EXPECT_EQ(editor().sheet().curves, test::curves({parts[0], parts[1]}));
     EXPECT_EQ(curve(), Curve(parts[0]));
     EXPECT_EQ(steps(), QStringList{QStringLiteral("Split the curve")});
     document().undo();
-    EXPECT_EQ(editor().sheet().curves, std::vector<Curve>{before});
+    EXPECT_EQ(editor().sheet().curves, test::curves({before}));
     document().redo();
     EXPECT_EQ(editor().sheet().curves.size(), 2u);
 }

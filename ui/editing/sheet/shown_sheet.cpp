@@ -45,7 +45,6 @@ std::shared_ptr<const Curve> ShownSheet::snapshot(Serial serial) const {
 
 Sheet ShownSheet::sheetOnView() const {
     Sheet onView = sheet();
-    onView.stage = layerStage_;
     if (stage_)
         onView.curves[static_cast<std::size_t>(onView.view.activeCurve)] = *stage_;
     return onView;

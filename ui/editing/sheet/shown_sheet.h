@@ -36,7 +36,7 @@ class ShownSheet : public QObject {
     [[nodiscard]] std::optional<int> layerStage() const { return layerStage_; }
     /// The sheet with the stage in place of the active curve.
     [[nodiscard]] Sheet sheetOnView() const;
-    /// The whole document with the stage in place of the active curve: what an export draws.
+    /// The whole document with the stage in place of the active curve: what an export draws, hidden layers aside.
     [[nodiscard]] Document documentOnView() const;
     [[nodiscard]] bool hasStage() const { return stage_ != nullptr; }
 

@@ -15,7 +15,7 @@ template <class Member>
 Curve with(const Curve& curve, Member CombinedCurve::*member, double value) {
     CombinedCurve changed = std::get<CombinedCurve>(curve);
     changed.*member = static_cast<Member>(static_cast<int>(value));
-    return changed;
+    return Curve(std::move(changed));
 }
 
 } // namespace
@@ -104,7 +104,7 @@ void CombinedProperties::dropCorrections() {
         changed.corrections.clear();
     for (const int pair : chosen)
         changed.corrections.erase(pair);
-    editor().change(std::move(changed), {QT_TRANSLATE_NOOP("Step", "Back to automatic")});
+    editor().change(Curve(std::move(changed)), {QT_TRANSLATE_NOOP("Step", "Back to automatic")});
 }
 
 } // namespace kriva::ui

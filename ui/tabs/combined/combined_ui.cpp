@@ -23,7 +23,7 @@ SheetNumber degreeNumber() {
             [](const Curve& curve, int degree) {
                 CombinedCurve changed = std::get<CombinedCurve>(curve);
                 changed.degree = degree;
-                return changed;
+                return Curve(std::move(changed));
             }};
 }
 

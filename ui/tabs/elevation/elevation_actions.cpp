@@ -10,7 +10,7 @@ namespace kriva::ui {
 void takeElevatedPolygon(SheetEditor& editor) {
     if (!canTakeElevatedPolygon(editor))
         return;
-    Curve taken = withElevatedPolygon(std::get<ElevationCurve>(*editor.shown(editor.activeSerial())));
+    Curve taken(withElevatedPolygon(std::get<ElevationCurve>(*editor.shown(editor.activeSerial()))));
     editor.setStage({});
     editor.change(std::move(taken), {QT_TRANSLATE_NOOP("Step", "Take the elevated polygon over")});
 }
@@ -27,7 +27,7 @@ void reduceDegree(SheetEditor& editor) {
     if (!reduced)
         return;
     editor.setStage({});
-    editor.change(std::move(reduced->edited.curve), {QT_TRANSLATE_NOOP("Step", "Reduce the degree")});
+    editor.change(Curve(std::move(reduced->edited.curve)), {QT_TRANSLATE_NOOP("Step", "Reduce the degree")});
 }
 
 std::vector<SheetAction> elevationActions() {

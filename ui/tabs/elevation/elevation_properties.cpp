@@ -23,7 +23,7 @@ int shownElevations(const ElevationCurve& curve) {
 Curve withTimes(const Curve& curve, int times) {
     ElevationCurve changed = std::get<ElevationCurve>(curve);
     changed.times = times;
-    return changed;
+    return Curve(std::move(changed));
 }
 
 } // namespace

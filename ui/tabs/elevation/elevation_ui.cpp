@@ -22,7 +22,7 @@ SheetNumber timesNumber() {
         [](const Curve& curve, int times) {
             ElevationCurve changed = std::get<ElevationCurve>(curve);
             changed.times = times;
-            return changed;
+            return Curve(std::move(changed));
         }};
 }
 

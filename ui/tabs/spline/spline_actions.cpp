@@ -43,7 +43,7 @@ SheetAction joinAction(const char* name, const char* text, Qt::Key key, Join joi
             text,
             Qt::SHIFT | key,
             [join](SheetEditor& editor) {
-                editor.change(withJoin(valueOf(editor), chosenKnots(editor), join),
+                editor.change(Curve(withJoin(valueOf(editor), chosenKnots(editor), join)),
                               {QT_TRANSLATE_NOOP("Step", "Set the join")});
             },
             hasChosenKnots,
@@ -56,13 +56,14 @@ SheetAction joinAction(const char* name, const char* text, Qt::Key key, Join joi
 }
 
 SheetAction handleAction(const char* name, const char* text, const StepLabel& step, HandleEdit edit) {
-    return {Group::handles,
-            name,
-            text,
-            {},
-            [step, edit](SheetEditor& editor) { editor.change(edit(valueOf(editor), chosenKnots(editor)), step); },
-            hasChosenKnots,
-            {}};
+    return {
+        Group::handles,
+        name,
+        text,
+        {},
+        [step, edit](SheetEditor& editor) { editor.change(Curve(edit(valueOf(editor), chosenKnots(editor))), step); },
+        hasChosenKnots,
+        {}};
 }
 
 /// Both handles of selected knots, and of other knots those that are selected.
@@ -71,7 +72,7 @@ void retractHandles(SheetEditor& editor) {
     for (const GripId& grip : editor.selectedGrips(editor.activeSerial()))
         if (isHandleOfKnot(grip))
             retracted = withHandleRetracted(retracted, grip).value_or(retracted);
-    editor.change(std::move(retracted), {QT_TRANSLATE_NOOP("Step", "Retract the handles")});
+    editor.change(Curve(std::move(retracted)), {QT_TRANSLATE_NOOP("Step", "Retract the handles")});
 }
 
 SheetAction closeAction() {
@@ -81,7 +82,7 @@ SheetAction closeAction() {
             {},
             [](SheetEditor& editor) {
                 const bool isClosing = !valueOf(editor).closed;
-                editor.change(withClosed(valueOf(editor), isClosing),
+                editor.change(Curve(withClosed(valueOf(editor), isClosing)),
                               isClosing ? StepLabel{QT_TRANSLATE_NOOP("Step", "Close the curve")}
                                         : StepLabel{QT_TRANSLATE_NOOP("Step", "Open the curve")});
             },

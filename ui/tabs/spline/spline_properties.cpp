@@ -46,7 +46,7 @@ SplineProperties::SplineProperties(SheetEditor& editor, QWidget* parent)
     addWide(closed_);
     connect(closed_, &QCheckBox::toggled, this, [this](bool on) {
         SheetEditor& target = this->editor();
-        target.change(withClosed(curve<SplineCurve>(), on),
+        target.change(Curve(withClosed(curve<SplineCurve>(), on)),
                       on ? StepLabel{QT_TRANSLATE_NOOP("Step", "Close the curve")}
                          : StepLabel{QT_TRANSLATE_NOOP("Step", "Open the curve")});
     });
@@ -131,8 +131,8 @@ std::optional<Vector> SplineProperties::givenDerivative(End end) const {
 void SplineProperties::setDerivative(End end, std::optional<Vector> derivative) {
     const auto& value = curve<SplineCurve>();
     const bool isStart = end == End::start;
-    editor().change(withEndDerivatives(value, isStart ? derivative : value.startDerivative,
-                                       isStart ? value.endDerivative : derivative),
+    editor().change(Curve(withEndDerivatives(value, isStart ? derivative : value.startDerivative,
+                                             isStart ? value.endDerivative : derivative)),
                     isStart ? StepLabel{QT_TRANSLATE_NOOP("Step", "Change the start derivative")}
                             : StepLabel{QT_TRANSLATE_NOOP("Step", "Change the end derivative")});
 }

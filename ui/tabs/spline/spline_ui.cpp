@@ -28,7 +28,7 @@ PointColumn joinColumn() {
                 for (std::size_t i = 0; i < kJoinTexts.size(); ++i) {
                     const auto join = static_cast<SplineKnot::Join>(i);
                     if (text.trimmed().compare(joinText(join), Qt::CaseInsensitive) == 0)
-                        return withJoin(std::get<SplineCurve>(curve), std::span(&knot, 1), join);
+                        return Curve(withJoin(std::get<SplineCurve>(curve), std::span(&knot, 1), join));
                 }
                 return {};
             },
@@ -50,7 +50,7 @@ SheetNumber degreeNumber() {
             [](const Curve&) {
                 return SheetNumber::Range{limits::kSplineDegreeLow, limits::kSplineDegreeHigh};
             },
-            [](const Curve& curve, int degree) { return withDegree(std::get<SplineCurve>(curve), degree); }};
+            [](const Curve& curve, int degree) { return Curve(withDegree(std::get<SplineCurve>(curve), degree)); }};
 }
 
 } // namespace

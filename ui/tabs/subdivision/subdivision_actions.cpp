@@ -13,7 +13,8 @@ void splitAtCut(SheetEditor& editor) {
     if (!parts)
         return;
     editor.setStage({});
-    editor.divide(std::move((*parts)[0]), std::move((*parts)[1]), {QT_TRANSLATE_NOOP("Step", "Split the curve")});
+    editor.divide(Curve(std::move((*parts)[0])), Curve(std::move((*parts)[1])),
+                  {QT_TRANSLATE_NOOP("Step", "Split the curve")});
 }
 
 std::vector<SheetAction> subdivisionActions() {

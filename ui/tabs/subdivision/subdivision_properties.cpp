@@ -65,7 +65,7 @@ void SubdivisionProperties::makeRows() {
         SubdivisionCurve changed = curve<SubdivisionCurve>();
         for (const int point : editor().selectedPoints())
             changed = withMultiplicity(changed, point, static_cast<int>(times));
-        editor().change(std::move(changed), {QT_TRANSLATE_NOOP("Step", "Set the multiplicity")});
+        editor().change(Curve(std::move(changed)), {QT_TRANSLATE_NOOP("Step", "Set the multiplicity")});
     });
 }
 
@@ -78,12 +78,12 @@ void SubdivisionProperties::makeBlossom() {
         std::optional<std::vector<double>> arguments;
         if (on)
             arguments.emplace(controlPointCount(value) - 1, value.t);
-        editor().change(withBlossom(value, std::move(arguments)),
+        editor().change(Curve(withBlossom(value, std::move(arguments))),
                         on ? StepLabel{QT_TRANSLATE_NOOP("Step", "Show the blossom")}
                            : StepLabel{QT_TRANSLATE_NOOP("Step", "Hide the blossom")});
     });
     connect(blossom_, &NumberListField::numbersCommitted, this, [this](const std::vector<double>& arguments) {
-        this->editor().change(withBlossom(curve<SubdivisionCurve>(), arguments),
+        this->editor().change(Curve(withBlossom(curve<SubdivisionCurve>(), arguments)),
                               {QT_TRANSLATE_NOOP("Step", "Set the blossom")});
     });
 }
@@ -160,7 +160,7 @@ void SubdivisionProperties::showBlossom() {
 
 Curve SubdivisionProperties::stageCurve(int stage) const {
     const auto& value = curve<SubdivisionCurve>();
-    return played() == Played::t ? withT(value, stepped(kStepOfT, stage * kStepOfT)) : withLevels(value, stage);
+    return Curve(played() == Played::t ? withT(value, stepped(kStepOfT, stage * kStepOfT)) : withLevels(value, stage));
 }
 
 void SubdivisionProperties::showStage(int stage) {

@@ -28,22 +28,23 @@ PointColumn multiplicityColumn() {
             const std::optional<double> times = parseNumber(text);
             if (!times || !multiplicities(value, point).contains(*times))
                 return {};
-            return withMultiplicity(value, point, static_cast<int>(*times));
+            return Curve(withMultiplicity(value, point, static_cast<int>(*times)));
         },
         [](const Curve& curve, int point) { return multiplicities(std::get<SubdivisionCurve>(curve), point).text(); },
         {QT_TRANSLATE_NOOP("Step", "Set the multiplicity")}};
 }
 
 SheetNumber levelsNumber() {
-    return {QT_TRANSLATE_NOOP("SheetActions", "One level more"),
-            QT_TRANSLATE_NOOP("SheetActions", "One level fewer"),
-            {QT_TRANSLATE_NOOP("Step", "Set the levels")},
-            [](const Curve& curve) { return std::get<SubdivisionCurve>(curve).levels; },
-            [](const Curve& curve) {
-                const std::size_t count = controlPointCount(std::get<SubdivisionCurve>(curve));
-                return SheetNumber::Range{0, mostLevels(std::max<std::size_t>(count, 2))};
-            },
-            [](const Curve& curve, int levels) { return withLevels(std::get<SubdivisionCurve>(curve), levels); }};
+    return {
+        QT_TRANSLATE_NOOP("SheetActions", "One level more"),
+        QT_TRANSLATE_NOOP("SheetActions", "One level fewer"),
+        {QT_TRANSLATE_NOOP("Step", "Set the levels")},
+        [](const Curve& curve) { return std::get<SubdivisionCurve>(curve).levels; },
+        [](const Curve& curve) {
+            const std::size_t count = controlPointCount(std::get<SubdivisionCurve>(curve));
+            return SheetNumber::Range{0, mostLevels(std::max<std::size_t>(count, 2))};
+        },
+        [](const Curve& curve, int levels) { return Curve(withLevels(std::get<SubdivisionCurve>(curve), levels)); }};
 }
 
 } // namespace

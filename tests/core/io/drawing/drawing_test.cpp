@@ -1,5 +1,6 @@
 #include "core/document/sheet_figure.h"
 #include "core/io/drawing/drawing.h"
+#include "tests/support/sheet_curves.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,8 @@ const TextSource kDrawingTexts{[](Caption caption) { return caption == Caption::
 
 Document archAndLine() {
     Document document;
-    document.sheets[0].curves = {ElevationCurve{"", {{0, 0}, {1, 2}, {3, 2}, {4, 0}}, 2, {}, {}},
-                                 ElevationCurve{"", {{9, 0}, {9, 5}}, 0, {}, {}}};
+    document.sheets[0].curves = test::curves({ElevationCurve{"", {{0, 0}, {1, 2}, {3, 2}, {4, 0}}, 2, {}, {}},
+                                              ElevationCurve{"", {{9, 0}, {9, 5}}, 0, {}, {}}});
     return document;
 }
 
@@ -61,7 +62,7 @@ TEST(Drawing, hasExactlyTheWidthAskedFor) {
 
 Document raisedArch() {
     Document document;
-    document.sheets[0].curves = {ElevationCurve{"", {{0, 0}, {1, 2}, {3, 2}, {4, 0}}, 3, {}, {}}};
+    document.sheets[0].curves = test::curves({ElevationCurve{"", {{0, 0}, {1, 2}, {3, 2}, {4, 0}}, 3, {}, {}}});
     return document;
 }
 
@@ -115,9 +116,10 @@ TEST(Frames, areOnlyThoseThatTheCurveHas) {
     };
     using enum FramePlace::Over;
     Document document = raisedArch();
-    document.sheets[1].curves = {SubdivisionCurve{"", {{0, 0}, {1, 2}, {3, 2}}, {1, 1, 1}, 0.5, 1, {}, {}, {}}};
-    document.sheets[2].curves = {SplineCurve{}};
-    document.sheets[3].curves = {CombinedCurve{"", {{0, 0}, {1, 2}}, {}, 3, {}, {}, {}, {}}};
+    document.sheets[1].curves =
+        test::curves({SubdivisionCurve{"", {{0, 0}, {1, 2}, {3, 2}}, {1, 1, 1}, 0.5, 1, {}, {}, {}}});
+    document.sheets[2].curves = test::curves({SplineCurve{}});
+    document.sheets[3].curves = test::curves({CombinedCurve{"", {{0, 0}, {1, 2}}, {}, 3, {}, {}, {}, {}}});
     EXPECT_TRUE(has(document, 0, {stage, 10'000}));
     EXPECT_FALSE(has(document, 0, {stage, 10'001}));
     EXPECT_FALSE(has(document, 0, {t, 0.5}));

@@ -1,5 +1,6 @@
 #include "core/io/json/document_json.h"
 #include "tests/support/documents.h"
+#include "tests/support/sheet_curves.h"
 
 #include <gtest/gtest.h>
 
@@ -228,7 +229,7 @@ TEST(WriteDocument, readsBackBitForBit) {
     curve.times = 97;
     curve.style.color = Color{1, 171, 205};
     curve.view.isShown = false;
-    document.sheets[0].curves = {curve};
+    document.sheets[0].curves = test::curves({curve});
     document.sheets[0].view.layers["labels"] = false;
     document.sheets[1].view.parameters = {0.25, 1.0 / 3};
     document.sheets[2].view.combScale = 2.5;
@@ -248,7 +249,7 @@ TEST(WriteDocument, writesOnlyTheSheetsThatHoldSomething) {
 
 TEST(SameContent, ignoresViewsAndTheActiveSheet) {
     Document a;
-    a.sheets[0].curves = {ElevationCurve{}};
+    a.sheets[0].curves = test::curves({ElevationCurve{}});
     Document b = a;
     b.sheets[0].view.activeCurve = 3;
     b.sheets[0].curves[0] = withView(b.sheets[0].curves[0], {false});

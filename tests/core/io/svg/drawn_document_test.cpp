@@ -3,6 +3,7 @@
 #include "core/io/svg/drawn_sheet.h"
 #include "core/io/svg/svg_reader.h"
 #include "core/io/svg/svg_writer.h"
+#include "tests/support/sheet_curves.h"
 #include "tests/support/sheet_svg.h"
 
 #include <gtest/gtest.h>
@@ -28,8 +29,8 @@ ElevationCurve cubic(Points points, std::string name) {
 
 Document twoCubics() {
     Document document;
-    document.sheets[kElevation].curves = {cubic({{0, 0}, {1, 4}, {3, 4}, {4, 0}}, "Arch"),
-                                          cubic({{0, 4}, {1, 0}, {3, 0}, {4, 4}}, "Bowl")};
+    document.sheets[kElevation].curves = test::curves(
+        {cubic({{0, 0}, {1, 4}, {3, 4}, {4, 0}}, "Arch"), cubic({{0, 4}, {1, 0}, {3, 0}, {4, 4}}, "Bowl")});
     return document;
 }
 
@@ -136,7 +137,7 @@ TEST(DrawnDocument, takesTheChainOfASpline) {
     Document document;
     SplineCurve spline;
     spline.knots = {{{0, 0}, {}, {}, {}}, {{2, 4}, {}, {}, {}}, {{4, 0}, {}, {}, {}}};
-    document.sheets[kSpline].curves = {spline};
+    document.sheets[kSpline].curves = test::curves({spline});
     const std::string own = figureOf(document, kSpline);
     EXPECT_FALSE(drawnDocument(own, document));
     const std::string svg =

@@ -1,6 +1,7 @@
 #include "core/document/sheet_figure.h"
 #include "core/sheets/combined/combined.h"
 #include "core/sheets/combined/combined_figure.h"
+#include "tests/support/sheet_curves.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>
@@ -75,11 +76,10 @@ TEST(CombinedFigure, showsThePointsOfACurveWithoutPieces) {
 
 std::vector<std::string_view> namesAt(std::optional<int> stage, const SheetView& view = {}) {
     Sheet sheet;
-    sheet.curves = {threeRuns(CombinedCurve::Method::pairs)};
+    sheet.curves = test::curves({threeRuns(CombinedCurve::Method::pairs)});
     sheet.view = view;
-    sheet.stage = stage;
     std::vector<std::string_view> names;
-    for (const Layer& layer : figureOf(sheet, 3).layers)
+    for (const Layer& layer : figureOf(sheet, 3, stage).layers)
         names.push_back(layer.name);
     return names;
 }
@@ -103,9 +103,8 @@ TEST(CombinedFigure, stagesShowNothingThatIsSwitchedOff) {
 
 TEST(CombinedFigure, aStageIsOfTheActiveCurveAlone) {
     Sheet sheet;
-    sheet.curves = {CombinedCurve{}, threeRuns(CombinedCurve::Method::pairs)};
-    sheet.stage = 0;
-    EXPECT_FALSE(layerOf(figureOf(sheet, 3), "curve").strokes.empty());
+    sheet.curves = test::curves({CombinedCurve{}, threeRuns(CombinedCurve::Method::pairs)});
+    EXPECT_FALSE(layerOf(figureOf(sheet, 3, 0), "curve").strokes.empty());
 }
 
 TEST(CombinedFigure, drawsTheRunsPolygonsAndPolynomials) {

@@ -1,6 +1,7 @@
 #include "core/figure/labels.h"
 #include "core/io/json/document_json.h"
 #include "core/sheets/combined/combined_json.h"
+#include "tests/support/sheet_curves.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +50,7 @@ TEST(CombinedJson, readsBackBitForBit) {
     curve.style.width = 3;
     curve.view.isShown = false;
     Document document;
-    document.sheets[*sheetNamed("combined")].curves = {curve};
+    document.sheets[*sheetNamed("combined")].curves = test::curves({curve});
     const std::string text = writeDocument(document);
     const auto read = readDocument(text);
     ASSERT_TRUE(std::holds_alternative<Document>(read)) << text;

@@ -3,6 +3,7 @@
 #include "core/document/limit_check.h"
 #include "core/document/report.h"
 #include "core/sheets/combined/combined_report.h"
+#include "tests/support/sheet_curves.h"
 
 #include <gtest/gtest.h>
 
@@ -52,9 +53,9 @@ TEST(CombinedReport, isRefusedWhereItsInterpolatedRunsHaveTooManyPairsOfPoints) 
     Document document;
     auto& curves = document.sheets[*sheetNamed("combined")].curves;
     const std::size_t most = limits::kInterpolatedPairs / interpolatedPairs(curve);
-    curves.assign(most, curve);
+    curves.assign(most, Curve(curve));
     EXPECT_FALSE(reportLimitError(document));
-    curves.push_back(curve);
+    curves.emplace_back(curve);
     const std::optional<FileError> error = reportLimitError(document);
     ASSERT_TRUE(error);
     EXPECT_EQ(error->place, "sheets.combined.curves");
@@ -72,14 +73,14 @@ TEST(CombinedReport, isRefusedWhereItsPathsHaveTooManyPieces) {
     EXPECT_EQ(pathPieces(curve), 50'000u + 49'999);
     Document document;
     const SheetIndex sheet = *sheetNamed("combined");
-    document.sheets[sheet].curves = {curve, curve};
+    document.sheets[sheet].curves = test::curves({curve, curve});
     EXPECT_FALSE(outputLimitError(document.sheets[sheet], sheet, Output::figure)) << "199,998";
     CombinedCurve small;
     small.points = {{0, 0}, {1, 1}, {2, 0}, {1, 3}};
     EXPECT_EQ(pathPieces(small), 3u) << "two runs and a join";
     small.method = CombinedCurve::Method::pairs;
     EXPECT_EQ(pathPieces(small), 3u) << "two pairs in one run, none in the other, a join";
-    document.sheets[sheet].curves.push_back(small);
+    document.sheets[sheet].curves.emplace_back(small);
     const std::optional<FileError> error = reportLimitError(document);
     ASSERT_TRUE(error) << "200,001";
     EXPECT_EQ(error->place, "sheets.combined.curves");

@@ -2,6 +2,7 @@
 #include "core/sheets/spline/editing/spline_edits.h"
 #include "core/sheets/spline/spline_figure.h"
 #include "tests/core/sheets/spline/spline_values.h"
+#include "tests/support/sheet_curves.h"
 
 namespace kriva {
 namespace {
@@ -81,7 +82,7 @@ TEST(SplineFigure, derivedLayersAreOffAtFirst) {
 
 TEST(SplineFigure, crossingsAreNotLookedForWhereTheirLayerIsOff) {
     Sheet sheet;
-    sheet.curves = {curveThrough(Rule::mirror, {{0, 0}, {6, 0}, {3, 3}, {3, -3}})};
+    sheet.curves = test::curves({curveThrough(Rule::mirror, {{0, 0}, {6, 0}, {3, 3}, {3, -3}})});
     EXPECT_TRUE(find(figureOf(sheet, 2), "crossings"));
     sheet.view.layers["crossings"] = false;
     EXPECT_EQ(figureOf(sheet, 2), figureOfCurves(sheet, 2));

@@ -1,5 +1,6 @@
 #include "core/io/json/document_json.h"
 #include "tests/core/sheets/spline/spline_values.h"
+#include "tests/support/sheet_curves.h"
 
 namespace kriva {
 namespace {
@@ -34,7 +35,7 @@ RC_GTEST_PROP(SplineJson, everyCurveReadsBack, ()) {
     curve.style.width = 2.5;
     curve.view.isShown = false;
     Document document;
-    document.sheets[*sheetNamed("spline")].curves = {curve};
+    document.sheets[*sheetNamed("spline")].curves = test::curves({curve});
     const auto read = readDocument(writeDocument(document));
     RC_ASSERT(std::holds_alternative<Document>(read));
     RC_ASSERT(std::get<Document>(read) == document);

@@ -1,6 +1,7 @@
 #include "core/bezier/evaluate.h"
 #include "core/document/report.h"
 #include "tests/core/sheets/spline/spline_values.h"
+#include "tests/support/sheet_curves.h"
 
 #include <gmock/gmock.h>
 
@@ -12,7 +13,7 @@ using ::testing::HasSubstr;
 
 std::string reportOf(const SplineCurve& curve) {
     Document document;
-    document.sheets[*sheetNamed("spline")].curves = {curve};
+    document.sheets[*sheetNamed("spline")].curves = test::curves({curve});
     const auto report = reportJson(document, "chain.kriva", sheetNamed("spline"));
     EXPECT_TRUE(std::holds_alternative<std::string>(report));
     return std::holds_alternative<std::string>(report) ? std::get<std::string>(report) : "";
@@ -96,11 +97,11 @@ TEST(SplineReport, refusesMoreSegmentsThanItCanCross) {
     Document document;
     auto& curves = document.sheets[*sheetNamed("spline")].curves;
     const auto most = static_cast<std::size_t>(limits::kReportedSegments);
-    curves = {test::curveThrough(Rule::mirror, Points(most, {1, 1}), true)};
+    curves = test::curves({test::curveThrough(Rule::mirror, Points(most, {1, 1}), true)});
     EXPECT_FALSE(reportLimitError(document));
-    curves.push_back(test::curveThrough(Rule::mirror, {{0, 0}}));
+    curves.emplace_back(test::curveThrough(Rule::mirror, {{0, 0}}));
     EXPECT_FALSE(reportLimitError(document));
-    curves.push_back(test::curveThrough(Rule::mirror, {{0, 0}, {1, 1}}));
+    curves.emplace_back(test::curveThrough(Rule::mirror, {{0, 0}, {1, 1}}));
     ASSERT_TRUE(reportLimitError(document));
     EXPECT_EQ(reportLimitError(document)->problem, FileProblem::tooManySegments);
     EXPECT_EQ(reportLimitError(document)->place, "sheets.spline.curves");

@@ -35,9 +35,9 @@ TEST(SubdivisionReport, listsSchemesUpToALimit) {
     const std::size_t most = limits::kReportedSchemePoints / (201 * 202 / 2);
     Document document;
     auto& curves = document.sheets[*sheetNamed("subdivision")].curves;
-    curves.assign(most, largest);
+    curves.assign(most, Curve(largest));
     EXPECT_FALSE(reportJsonLimitError(document));
-    curves.push_back(largest);
+    curves.emplace_back(largest);
     const std::optional<FileError> error = reportJsonLimitError(document);
     ASSERT_TRUE(error);
     EXPECT_EQ(error->problem, FileProblem::tooManySchemePoints);

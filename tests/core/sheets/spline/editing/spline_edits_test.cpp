@@ -2,6 +2,7 @@
 #include "core/io/json/document_json.h"
 #include "core/sheets/spline/editing/spline_edits.h"
 #include "tests/core/sheets/spline/spline_values.h"
+#include "tests/support/sheet_curves.h"
 
 namespace kriva {
 namespace {
@@ -16,7 +17,7 @@ using Rule = SplineCurve::Rule;
 /// All counts of the value are valid: a document with it can be read again.
 void assertReadable(const SplineCurve& curve) {
     Document document;
-    document.sheets[*sheetNamed("spline")].curves = {curve};
+    document.sheets[*sheetNamed("spline")].curves = test::curves({curve});
     const auto read = readDocument(writeDocument(document));
     RC_ASSERT(std::holds_alternative<Document>(read));
     RC_ASSERT(std::get<Document>(read) == document);
