@@ -36,7 +36,7 @@ OpenDocument::~OpenDocument() = default;
 
 void OpenDocument::replace(Document document) {
     cancelGesture();
-    present_.replace(std::move(document));
+    SerialDocument::replace(std::move(document));
     for (QUndoStack* history : histories_)
         history->clear();
     group_.setActiveStack(histories_[value().active]);
@@ -92,7 +92,7 @@ bool OpenDocument::divide(SheetIndex sheet, Serial serial, Curve first, Curve se
         return false;
     std::vector<CurveExchange> halves;
     halves.push_back({serial, PlacedCurve{std::move(first), *index}});
-    halves.push_back({present_.newSerial(), PlacedCurve{std::move(second), *index + 1}});
+    halves.push_back({newSerial(), PlacedCurve{std::move(second), *index + 1}});
     push(sheet, exchange(sheet, std::move(halves)), label);
     setActiveCurve(sheet, serial);
     return true;
@@ -112,7 +112,7 @@ bool OpenDocument::addAll(SheetIndex sheet, std::vector<Curve> curves, const Ste
     std::vector<CurveExchange> added;
     int index = static_cast<int>(serials(sheet).size());
     for (Curve& curve : curves)
-        added.push_back({present_.newSerial(), PlacedCurve{std::move(curve), index++}});
+        added.push_back({newSerial(), PlacedCurve{std::move(curve), index++}});
     const Serial last = added.empty() ? 0 : added.back().serial;
     push(sheet, exchange(sheet, std::move(added)), label);
     setActiveCurve(sheet, last);
@@ -143,7 +143,7 @@ std::optional<Serial> OpenDocument::beginGestureWithNew(SheetIndex sheet, int in
     endGesture();
     if (!isWithinLimits(this->sheet(sheet), {}, curve))
         return {};
-    const Serial serial = present_.newSerial();
+    const Serial serial = newSerial();
     gesture_ = Gesture{.sheet = sheet, .serial = serial, .label = label, .isNew = true};
     exchange(sheet, only({serial, PlacedCurve{std::move(curve), index}}));
     setActiveCurve(sheet, serial);
@@ -154,7 +154,7 @@ void OpenDocument::preview(Curve curve) {
     if (!gesture_ || curve == *find(gesture_->sheet, gesture_->serial) ||
         !isWithinLimits(sheet(gesture_->sheet), indexOf(gesture_->sheet, gesture_->serial), curve))
         return;
-    Curve before = present_.put(gesture_->sheet, gesture_->serial, std::move(curve));
+    Curve before = put(gesture_->sheet, gesture_->serial, std::move(curve));
     if (!gesture_->start)
         gesture_->start = std::move(before);
     Q_EMIT curveChanged(gesture_->sheet, gesture_->serial);
@@ -181,10 +181,12 @@ void OpenDocument::cancelGesture() {
     if (!gesture_)
         return;
     Gesture gesture = *std::exchange(gesture_, std::nullopt);
-    if (gesture.isNew)
+    if (gesture.isNew) {
         exchange(gesture.sheet, only({gesture.serial, std::nullopt}));
-    else if (gesture.start && *find(gesture.sheet, gesture.serial) != *gesture.start)
+    } else if (gesture.start && *find(gesture.sheet, gesture.serial) != *gesture.start) {
         put(gesture.sheet, gesture.serial, std::move(*gesture.start));
+        Q_EMIT curveChanged(gesture.sheet, gesture.serial);
+    }
 }
 
 void OpenDocument::changeInBurst(SheetIndex sheet, Serial serial, Curve curve, const StepLabel& label) {
@@ -200,11 +202,6 @@ void OpenDocument::changeInBurst(SheetIndex sheet, Serial serial, Curve curve, c
     burstEnd_.start();
 }
 
-void OpenDocument::put(SheetIndex sheet, Serial serial, Curve curve) {
-    present_.put(sheet, serial, std::move(curve));
-    Q_EMIT curveChanged(sheet, serial);
-}
-
 void OpenDocument::push(SheetIndex sheet, std::vector<CurveExchange> others, const StepLabel& label) {
     histories_[sheet]->push(new SwapCurves(*this, sheet, std::move(others), stored(label)));
     tellModified();
@@ -214,7 +211,7 @@ std::vector<CurveExchange> OpenDocument::exchange(SheetIndex sheet, std::vector<
     std::vector<Serial> changed;
     for (CurveExchange& one : others) {
         const bool stays = one.other && indexOf(sheet, one.serial) == one.other->index;
-        one.other = present_.exchange(sheet, one.serial, std::move(one.other));
+        one.other = SerialDocument::exchange(sheet, one.serial, std::move(one.other));
         if (stays)
             changed.push_back(one.serial);
     }
@@ -238,16 +235,16 @@ void OpenDocument::setActiveSheet(SheetIndex sheet) {
     if (value().active == sheet)
         return;
     endGesture();
-    present_.setActiveSheet(sheet);
+    SerialDocument::setActiveSheet(sheet);
     group_.setActiveStack(histories_[sheet]);
     Q_EMIT activeSheetChanged(sheet);
 }
 
 void OpenDocument::setActiveCurve(SheetIndex sheet, Serial serial) {
     const std::optional<int> index = indexOf(sheet, serial);
-    if (!index || present_.view(sheet).activeCurve == *index)
+    if (!index || view(sheet).activeCurve == *index)
         return;
-    present_.view(sheet).activeCurve = *index;
+    view(sheet).activeCurve = *index;
     Q_EMIT viewChanged(sheet);
 }
 
@@ -259,10 +256,11 @@ void OpenDocument::setCurveShown(SheetIndex sheet, Serial serial, bool isShown) 
     CurveView view = viewOf(*curve);
     view.isShown = isShown;
     put(sheet, serial, withView(*curve, view));
+    Q_EMIT curveChanged(sheet, serial);
 }
 
 void OpenDocument::setLayerShown(SheetIndex sheet, std::string_view layer, bool isShown) {
-    present_.view(sheet).layers[std::string(layer)] = isShown;
+    view(sheet).layers[std::string(layer)] = isShown;
     Q_EMIT viewChanged(sheet);
 }
 

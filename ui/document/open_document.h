@@ -16,27 +16,20 @@ namespace kriva::ui {
 
 /// The document of a window: its value, the serials of its curves, a history for each sheet, and signals that tell
 /// what changed. Who listens pulls the value; nobody answers.
-class OpenDocument : public QObject {
+class OpenDocument : public QObject, private SerialDocument {
     Q_OBJECT
   public:
     explicit OpenDocument(QObject* parent = nullptr);
     ~OpenDocument() override;
 
     /// The present value, a running gesture's preview included.
-    [[nodiscard]] const Document& value() const { return present_.value(); }
-    [[nodiscard]] const Sheet& sheet(SheetIndex sheet) const { return present_.sheet(sheet); }
-    [[nodiscard]] const std::vector<Serial>& serials(SheetIndex sheet) const { return present_.serials(sheet); }
-    [[nodiscard]] std::optional<int> indexOf(SheetIndex sheet, Serial serial) const {
-        return present_.indexOf(sheet, serial);
-    }
-    /// Null where the curve is not there.
-    [[nodiscard]] const Curve* find(SheetIndex sheet, Serial serial) const { return present_.find(sheet, serial); }
-    /// A copy of the curve, which must be there, for other threads; one for all who ask before the curve changes.
-    [[nodiscard]] std::shared_ptr<const Curve> snapshot(SheetIndex sheet, Serial serial) const {
-        return present_.snapshot(sheet, serial);
-    }
-    /// The curve that edits without a curve of their own go to; 0 in an empty sheet.
-    [[nodiscard]] Serial activeCurve(SheetIndex sheet) const { return present_.activeCurve(sheet); }
+    using SerialDocument::activeCurve;
+    using SerialDocument::find;
+    using SerialDocument::indexOf;
+    using SerialDocument::serials;
+    using SerialDocument::sheet;
+    using SerialDocument::snapshot;
+    using SerialDocument::value;
 
     /// Replaces everything: histories are cleared, and the new value counts as saved.
     void replace(Document document);
@@ -79,7 +72,7 @@ class OpenDocument : public QObject {
     void setCombScale(SheetIndex sheet, double scale) { setOfView(sheet, &SheetView::combScale, scale); }
     void setPolylinePoints(SheetIndex sheet, int points) { setOfView(sheet, &SheetView::polylinePoints, points); }
     /// Tells nobody: nothing looks different.
-    void setExported(SheetIndex sheet, const FigureFileOptions& options) { present_.view(sheet).exported = options; }
+    void setExported(SheetIndex sheet, const FigureFileOptions& options) { view(sheet).exported = options; }
     void setParameters(SheetIndex sheet, std::vector<double> parameters) {
         setOfView(sheet, &SheetView::parameters, std::move(parameters));
     }
@@ -119,7 +112,7 @@ class OpenDocument : public QObject {
     /// Tells where it was another value.
     template <class Value>
     void setOfView(SheetIndex sheet, Value SheetView::*member, Value value) {
-        if (std::exchange(present_.view(sheet).*member, value) != value)
+        if (std::exchange(view(sheet).*member, value) != value)
             Q_EMIT viewChanged(sheet);
     }
     /// As SerialDocument does, told once for all of them; gives what takes it back.
@@ -127,10 +120,8 @@ class OpenDocument : public QObject {
     void push(SheetIndex sheet, std::vector<CurveExchange> others, const StepLabel& label);
     /// Whether it may stand in a sheet with these curves, in place of one of them or besides; tells where not.
     bool isWithinLimits(const Sheet& present, std::optional<int> replacedIndex, const Curve& curve);
-    void put(SheetIndex sheet, Serial serial, Curve curve);
     void tellModified();
 
-    SerialDocument present_;
     std::optional<Document> saved_ = Document(); ///< nothing where no file has what the document began with
     bool wasModified_ = false;
     std::array<QUndoStack*, kSheetCount> histories_;

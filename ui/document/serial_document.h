@@ -34,7 +34,7 @@ class SerialDocument {
     /// A copy of the curve, which must be there, for other threads; one for all who ask before the curve changes and
     /// keep it.
     [[nodiscard]] std::shared_ptr<const Curve> snapshot(SheetIndex sheet, Serial serial) const;
-    /// 0 in an empty sheet.
+    /// The curve that edits without a curve of their own go to; 0 in an empty sheet.
     [[nodiscard]] Serial activeCurve(SheetIndex sheet) const;
 
     /// Another document, all of its curves with new serials.
