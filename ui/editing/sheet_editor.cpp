@@ -1,15 +1,11 @@
 #include "ui/editing/sheet_editor.h"
 
-#include "core/document/conversion.h"
 #include "core/document/document_drags.h"
 #include "core/geometry/tolerance.h"
-#include "ui/base/language/plain_text.h"
 #include "ui/editing/sheet/move_label.h"
 #include "ui/editing/sheet_drag.h"
 
 #include <QCoreApplication>
-
-#include <algorithm>
 
 namespace kriva::ui {
 
@@ -141,28 +137,6 @@ void SheetEditor::nudge(Vector by) {
         changeInBurst(withGripsMoved(*curve, ids, by), {QT_TRANSLATE_NOOP("Step", "Nudge")});
 }
 
-void SheetEditor::change(Curve value, const StepLabel& label) {
-    document().change(index(), activeSerial(), std::move(value), label);
-}
-
-void SheetEditor::changeInBurst(Curve value, const StepLabel& label) {
-    document().changeInBurst(index(), activeSerial(), std::move(value), label);
-}
-
-void SheetEditor::divide(Curve first, Curve second, const StepLabel& label) {
-    document().divide(index(), activeSerial(), std::move(first), std::move(second), label);
-}
-
-void SheetEditor::reverse() {
-    const Curve* curve = activeCurve();
-    if (!curve)
-        return;
-    Edited<Curve> edited = reversed(*curve);
-    const Selection selected = selection();
-    change(std::move(edited.curve), {QT_TRANSLATE_NOOP("Step", "Reverse the curve")});
-    selectMapped(selected, activeSerial(), edited.map);
-}
-
 void SheetEditor::retractHandle(const GripRef& handle) {
     activate(handle.serial);
     const Curve* curve = document().find(index(), handle.serial);
@@ -182,89 +156,6 @@ bool SheetEditor::closeAt(const GripRef& point) {
         return false;
     change(std::move(*closed), {QT_TRANSLATE_NOOP("Step", "Close the curve")});
     return true;
-}
-
-bool SheetEditor::newCurve() {
-    return addCurve(emptyCurve(index()), {QT_TRANSLATE_NOOP("Step", "New curve")});
-}
-
-void SheetEditor::beginCurve() {
-    if (newCurve())
-        Q_EMIT drawingBegun();
-}
-
-void SheetEditor::beginAnew() {
-    clear();
-    Q_EMIT drawingBegun();
-}
-
-bool SheetEditor::addCurve(Curve curve, const StepLabel& label) {
-    const int last = static_cast<int>(sheet().curves.size());
-    return document().add(index(), last, std::move(curve), label).has_value();
-}
-
-bool SheetEditor::addCurves(std::vector<Curve> curves, const StepLabel& label) {
-    return document().addAll(index(), std::move(curves), label);
-}
-
-void SheetEditor::duplicateCurve(Serial serial) {
-    if (const Curve* curve = document().find(index(), serial))
-        document().add(index(), *document().indexOf(index(), serial) + 1, *curve,
-                       {QT_TRANSLATE_NOOP("Step", "Duplicate the curve")});
-}
-
-void SheetEditor::deleteCurve(Serial serial) {
-    deleteCurve(serial, {QT_TRANSLATE_NOOP("Step", "Delete the curve")});
-}
-
-void SheetEditor::deleteCurve(Serial serial, const StepLabel& label) {
-    document().remove(index(), serial, label);
-}
-
-void SheetEditor::renameCurve(Serial serial, const QString& name) {
-    if (const Curve* curve = document().find(index(), serial))
-        document().change(index(), serial, renamed(*curve, wellFormed(name).toStdString()),
-                          {QT_TRANSLATE_NOOP("Step", "Rename the curve")});
-}
-
-void SheetEditor::styleCurve(Serial serial, const CurveStyle& style, const StepLabel& label) {
-    if (const Curve* curve = document().find(index(), serial))
-        document().changeInBurst(index(), serial, withStyle(*curve, style), label);
-}
-
-void SheetEditor::moveCurve(Serial serial, int to) {
-    if (to >= 0 && to < static_cast<int>(sheet().curves.size()))
-        document().reorder(index(), serial, to, {QT_TRANSLATE_NOOP("Step", "Reorder the curves")});
-}
-
-void SheetEditor::activateNextCurve() {
-    const std::vector<Serial>& serials = document().serials(index());
-    if (!serials.empty())
-        activate(serials[static_cast<std::size_t>(sheet().view.activeCurve + 1) % serials.size()]);
-}
-
-void SheetEditor::usePointsIn(SheetIndex other) {
-    const Curve* curve = activeCurve();
-    if (!curve || other == index())
-        return;
-    const int last = static_cast<int>(document().sheet(other).curves.size());
-    if (document().add(other, last, converted(*curve, other), {QT_TRANSLATE_NOOP("Step", "Use the points of a tab")}))
-        document().setActiveSheet(other);
-}
-
-void SheetEditor::setActiveCurveShown(bool isShown) {
-    document().setCurveShown(index(), activeSerial(), isShown);
-}
-
-void SheetEditor::clear() {
-    document().endGesture();
-    if (sheet().curves.empty())
-        return;
-    QUndoStack& history = document().history(index());
-    history.beginMacro(stored({QT_TRANSLATE_NOOP("Step", "Clear the canvas")}));
-    for (const Serial serial : std::vector<Serial>(document().serials(index())))
-        deleteCurve(serial);
-    history.endMacro();
 }
 
 } // namespace kriva::ui

@@ -2,17 +2,17 @@
 
 #include "ui/canvas/canvas_input.h"
 #include "ui/editing/hints/hint.h"
-#include "ui/editing/sheet/shown_sheet.h"
+#include "ui/editing/sheet/sheet_curves.h"
 
 namespace kriva::ui {
 
-/// Edits a sheet of the open document. A tab's canvas and panels all work on this one object.
-class SheetEditor : public ShownSheet {
+/// Edits a sheet of the open document: its curves, and here their points. A tab's canvas and panels all work on this
+/// one object.
+class SheetEditor : public SheetCurves {
     Q_OBJECT
   public:
-    using ShownSheet::ShownSheet;
+    using SheetCurves::SheetCurves;
 
-    // Points.
     /// At the end of the active curve; false where it is refused.
     bool addPoint(Point at);
     /// At the end of the active curve, as a gesture that goes on, with the point selected; false where it is refused.
@@ -37,49 +37,14 @@ class SheetEditor : public ShownSheet {
     void nudge(Vector by);
     /// The handle's curve becomes the active one.
     void retractHandle(const GripRef& handle);
-
-    // The active curve. `label` is marked with QT_TRANSLATE_NOOP("Step", ...).
-    void change(Curve value, const StepLabel& label);
-    /// As change, but steps of the same kind that follow each other closely become one.
-    void changeInBurst(Curve value, const StepLabel& label);
-    /// Two curves in place of the active one.
-    void divide(Curve first, Curve second, const StepLabel& label);
-    void reverse();
     /// An open chain closed at its first point; nothing for any other point.
     [[nodiscard]] std::optional<Curve> closedAt(const GripRef& point) const;
     /// False where there is nothing to close.
     bool closeAt(const GripRef& point);
 
-    // Curves.
-    /// False where it is refused.
-    bool newCurve();
-    /// The same, and what a person draws next is drawn there.
-    void beginCurve();
-    /// Above the others; false where it is refused.
-    bool addCurve(Curve curve, const StepLabel& label);
-    /// In one step; false where they are refused.
-    bool addCurves(std::vector<Curve> curves, const StepLabel& label);
-    void duplicateCurve(Serial serial);
-    void deleteCurve(Serial serial);
-    void deleteCurve(Serial serial, const StepLabel& label);
-    void renameCurve(Serial serial, const QString& name);
-    /// Steps of the same kind that follow each other closely become one.
-    void styleCurve(Serial serial, const CurveStyle& style, const StepLabel& label);
-    void moveCurve(Serial serial, int to);
-    void activateNextCurve();
-    /// The active curve's points as a new curve of another sheet, a step of that sheet, which is then shown.
-    void usePointsIn(SheetIndex other);
-    void setActiveCurveShown(bool isShown);
-    /// Deletes all curves in one step.
-    void clear();
-    /// The same, to draw anew.
-    void beginAnew();
-
   Q_SIGNALS:
     /// Something worth telling in the status row happened.
     void hint(const kriva::ui::Hint& hint);
-    /// Room was made for a curve that is drawn next.
-    void drawingBegun();
 
   private:
     std::optional<int> beginInserting(Serial serial, std::optional<Edited<Curve>> edited, Point near);
