@@ -30,7 +30,7 @@ TEST(FloatingPanelsOfTheDesktop, lieOverAWindowThatIsOpenedWithThem) {
         dock->setFloating(true);
         dock->setGeometry({first.window.geometry().center() - QPoint(150, 150), QSize(300, 300)});
         ASSERT_TRUE(QTest::qWaitForWindowExposed(dock));
-        preferences.setPanelLayout(name, first.window.tab(sheet).panels().layout());
+        preferences.setPanelLayout(name, first.window.tab(sheet).panels().layout().state());
     }
     test::TestWindow next;
     auto* dock = next.window.tab(sheet).findChild<QDockWidget*>(QStringLiteral("properties"));

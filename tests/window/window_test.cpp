@@ -369,7 +369,7 @@ TEST(Window, remembersThePanelsOfEachTabAlsoOfThoseThatWereNotShown) {
     EXPECT_TRUE(points(window, 0)->isVisible());
     EXPECT_FALSE(points(window, 2)->isVisible());
     EXPECT_FALSE(points(window, 3)->isVisible());
-    window.shown(2).panels().reset();
+    window.shown(2).panels().layout().reset();
     EXPECT_TRUE(points(window, 2)->isVisible());
 }
 

@@ -12,7 +12,6 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <utility>
 
 namespace kriva::ui {
 namespace {
@@ -46,13 +45,12 @@ void SheetPanels::make() {
 }
 
 void SheetPanels::layOut() {
-    if (isLaidOut())
+    if (layout_.hasBegun())
         return;
     // Not as wide as their titles want to be, which differs from language to language.
     tab_.resizeDocks({dockOf("curves"), dockOf("properties")}, {kColumnWidth, kRightWidth}, Qt::Horizontal);
     tab_.resizeDocks({dockOf("properties"), dockOf("results")}, {kPropertiesHeight, kResultsHeight}, Qt::Vertical);
-    firstLayout_ = tab_.saveState();
-    tab_.restoreState(layout_);
+    layout_.begin();
 }
 
 void SheetPanels::fill() {
@@ -84,6 +82,7 @@ void SheetPanels::add(Qt::DockWidgetArea area, std::initializer_list<NewPanel> g
             tab_.addDockWidget(area, dock);
         front = front ? front : dock;
         panels_.push_back({dock, panel.title});
+        layout_.add(dock);
         QObject::connect(dock, &QDockWidget::topLevelChanged, dock,
                          [entry = panels_.back(), title = ui_.title] { retitle(entry, title); });
         QObject::connect(dock, &QDockWidget::visibilityChanged, dock, [dock, make = panel.make](bool isVisible) {
@@ -125,47 +124,6 @@ QList<QAction*> SheetPanels::actions() {
     for (const Panel& panel : panels_)
         actions.append(panel.dock->toggleViewAction());
     return actions;
-}
-
-QByteArray SheetPanels::layout() const {
-    return isLaidOut() && isTabShown_ ? tab_.saveState() : layout_;
-}
-
-void SheetPanels::setLayout(const QByteArray& layout) {
-    layout_ = layout;
-    if (!isLaidOut())
-        return;
-    hiddenWithTab_.clear();
-    tab_.restoreState(layout);
-    if (!isTabShown_)
-        hideFloating();
-}
-
-void SheetPanels::setTabShown(bool isShown) {
-    if (!isLaidOut() || std::exchange(isTabShown_, isShown) == isShown)
-        return;
-    if (isShown) {
-        for (QDockWidget* dock : std::exchange(hiddenWithTab_, {}))
-            dock->show();
-    } else {
-        layout_ = tab_.saveState(); // as a person left it
-        hideFloating();
-    }
-}
-
-void SheetPanels::hideFloating() {
-    for (const Panel& panel : panels_) {
-        if (!panel.dock->isFloating() || panel.dock->isHidden())
-            continue;
-        if (QWidget* field = panel.dock->focusWidget())
-            field->clearFocus(); // what is typed is of the tab that is left
-        panel.dock->hide();
-        hiddenWithTab_.push_back(panel.dock);
-    }
-}
-
-void SheetPanels::reset() {
-    setLayout(firstLayout_);
 }
 
 void SheetPanels::show(const char* name) {

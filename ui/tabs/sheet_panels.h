@@ -3,10 +3,8 @@
 #include "core/figure/style/figure_options.h"
 #include "ui/editing/results/sheet_relations.h"
 #include "ui/editing/sheet_editor.h"
+#include "ui/tabs/panel_layout.h"
 #include "ui/tabs/sheet_ui.h"
-
-#include <QDockWidget>
-#include <QMainWindow>
 
 namespace kriva::ui {
 
@@ -28,15 +26,9 @@ class SheetPanels {
     /// The tab is in sight and has its size: only now docks keep the room that they are given. Where that has not been
     /// done.
     void layOut();
-    /// The tab comes into sight or goes out of it. Panels that float are windows of their own and go with it.
-    void setTabShown(bool isShown);
+    [[nodiscard]] PanelLayout& layout() { return layout_; }
     /// What turns the panels on and off, in the order of the menu.
     [[nodiscard]] QList<QAction*> actions();
-    /// How the panels lie, as QMainWindow::saveState() gives it.
-    [[nodiscard]] QByteArray layout() const;
-    /// Where it is no layout, the panels stay where they are.
-    void setLayout(const QByteArray& layout);
-    void reset();
     /// Brings a panel to the front and gives it the focus; `name` is that of its dock.
     void show(const char* name);
     /// Brings the tables to the front and chooses the point that is marked there.
@@ -60,8 +52,6 @@ class SheetPanels {
         std::function<QWidget*()> make;
     };
     void fill();
-    [[nodiscard]] bool isLaidOut() const { return !firstLayout_.isEmpty(); }
-    void hideFloating();
     static void retitle(const Panel& panel, const char* sheetTitle);
     [[nodiscard]] QWidget* properties() const;
     [[nodiscard]] QWidget* plots();
@@ -79,10 +69,7 @@ class SheetPanels {
     GuidePanel* guide_ = nullptr;
     const Example* example_ = nullptr;
     FigureFileOptions exportedPlots_{.drawing = {.margin = 0}}; ///< how the last ones were
-    QByteArray firstLayout_;
-    QByteArray layout_; ///< for the panels once they are made, or shown again
-    bool isTabShown_ = true;
-    std::vector<QDockWidget*> hiddenWithTab_;
+    PanelLayout layout_{tab_};
 };
 
 } // namespace kriva::ui

@@ -28,12 +28,12 @@ void SheetTab::setVisible(bool isVisible) {
 }
 
 void SheetTab::showEvent(QShowEvent* event) {
-    panels_.setTabShown(true);
+    panels_.layout().setTabShown(true);
     QMainWindow::showEvent(event);
 }
 
 void SheetTab::hideEvent(QHideEvent* event) {
-    panels_.setTabShown(false);
+    panels_.layout().setTabShown(false);
     QMainWindow::hideEvent(event);
 }
 

@@ -84,7 +84,7 @@ MainWindow::~MainWindow() {
 void MainWindow::makeTabs(std::span<const SheetUi> sheets) {
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
         auto* tab = new SheetTab(document_, workers_, sheet, sheets[sheet], this);
-        tab->panels().setLayout(surroundings_.preferences.panelLayout(QString::fromUtf8(sheetName(sheet))));
+        tab->panels().layout().restore(surroundings_.preferences.panelLayout(QString::fromUtf8(sheetName(sheet))));
         tabs_.push_back(tab);
         tabWidget_->addTab(tab, QString());
         auto* shortcut = new QShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + sheet)), this);
@@ -186,7 +186,7 @@ void MainWindow::connectViewActions() {
             [this](bool on) { currentTab().canvas().scene().setGridShown(on); });
     connect(actions_->axes, &QAction::triggered, this,
             [this](bool on) { currentTab().canvas().scene().setAxesShown(on); });
-    connect(actions_->resetPanels, &QAction::triggered, this, [this] { currentTab().panels().reset(); });
+    connect(actions_->resetPanels, &QAction::triggered, this, [this] { currentTab().panels().layout().reset(); });
     connect(actions_->showHistory, &QAction::triggered, this, [this] { currentTab().panels().show("history"); });
     connect(actions_->fullScreen, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
 }
@@ -267,7 +267,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     surroundings_.preferences.setWindowGeometry(saveGeometry());
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet)
-        surroundings_.preferences.setPanelLayout(QString::fromUtf8(sheetName(sheet)), tabs_[sheet]->panels().layout());
+        surroundings_.preferences.setPanelLayout(QString::fromUtf8(sheetName(sheet)),
+                                                 tabs_[sheet]->panels().layout().state());
     event->accept();
 }
 

@@ -68,12 +68,12 @@ TEST_F(FloatingPanels, sayInTheirTitlesToWhichTabTheyBelongInTheLanguage) {
 TEST_F(FloatingPanels, aRememberedLayoutShowsThemWithTheirTabAlone) {
     floated(0, "layers");
     show(1);
-    const QByteArray whileHidden = shell.window.tab(0).panels().layout();
-    EXPECT_NE(whileHidden, shell.window.tab(1).panels().layout());
+    const QByteArray whileHidden = shell.window.tab(0).panels().layout().state();
+    EXPECT_NE(whileHidden, shell.window.tab(1).panels().layout().state());
     test::TestWindow next;
     for (const SheetIndex sheet : {SheetIndex(1), SheetIndex(0)})
         next.window.document().setActiveSheet(sheet);
-    next.window.tab(0).panels().setLayout(whileHidden);
+    next.window.tab(0).panels().layout().restore(whileHidden);
     QApplication::processEvents();
     QDockWidget& layers = *next.window.tab(0).findChild<QDockWidget*>(QStringLiteral("layers"));
     EXPECT_TRUE(layers.isFloating());
@@ -82,7 +82,7 @@ TEST_F(FloatingPanels, aRememberedLayoutShowsThemWithTheirTabAlone) {
     next.window.document().setActiveSheet(3);
     QApplication::processEvents();
     EXPECT_FALSE(layers.isVisible());
-    next.window.tab(0).panels().setLayout(whileHidden);
+    next.window.tab(0).panels().layout().restore(whileHidden);
     QApplication::processEvents();
     EXPECT_FALSE(layers.isVisible()) << "while its tab is hidden";
 }
