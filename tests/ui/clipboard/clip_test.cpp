@@ -22,23 +22,23 @@ QString refusalOf(const QMimeData& clip, SheetIndex sheet = 1) {
 }
 
 TEST(Clip, isAFragmentAFigureAndATable) {
-    const auto clip = clipOf({Fragment::Content::curve, arch()}, 10);
+    const auto clip = clipOf({Fragment::Content::curve, Curve(arch())}, 10);
     EXPECT_EQ(clip->text(), QStringLiteral("0\t0\n1\t2\n3\t0.5"));
     EXPECT_EQ(clip->data(kSvg).count("<path"), 1);
     EXPECT_TRUE(clip->data(kOwn).startsWith("{\"format\": \"kriva-fragment\""));
     const auto read = readClip(*clip, 1);
-    EXPECT_EQ(std::get<Fragment>(read), (Fragment{Fragment::Content::curve, arch()}));
+    EXPECT_EQ(std::get<Fragment>(read), (Fragment{Fragment::Content::curve, Curve(arch())}));
 }
 
 TEST(Clip, ofOnePointHasNoFigure) {
     const std::vector<int> second{1};
-    const auto clip = clipOf(fragmentOf(arch(), second), 10);
+    const auto clip = clipOf(fragmentOf(Curve(arch()), second), 10);
     EXPECT_FALSE(clip->hasFormat(kSvg));
     EXPECT_EQ(clip->text(), QStringLiteral("1\t2"));
 }
 
 TEST(Clip, ofAnotherSheetGivesItsPoints) {
-    const auto clip = clipOf({Fragment::Content::curve, arch()}, 10);
+    const auto clip = clipOf({Fragment::Content::curve, Curve(arch())}, 10);
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
         const auto fragment = std::get<Fragment>(readClip(*clip, sheet));
         EXPECT_EQ(fragment.curve.index(), sheet);
@@ -61,7 +61,7 @@ TEST(Clip, ofPathsGivesACurveForEach) {
     QMimeData figure;
     figure.setData(kSvg, "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0L1 -1'/></svg>");
     EXPECT_EQ(pointCount(curvesOf(figure, 3)[0]), 2u);
-    const auto own = clipOf({Fragment::Content::curve, arch()}, 10);
+    const auto own = clipOf({Fragment::Content::curve, Curve(arch())}, 10);
     QMimeData drawn;
     drawn.setData(kSvg, own->data(kSvg));
     EXPECT_EQ(curvesOf(drawn, 0).size(), 1u);

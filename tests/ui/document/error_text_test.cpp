@@ -157,17 +157,17 @@ TEST(ErrorText, ofAnEditNamesTheLimitAndNoPlace) {
     for (int i = 0; i < 300; ++i)
         wave.points.push_back({static_cast<double>(i), 0});
     wave.method = CombinedCurve::Method::interpolation;
-    EXPECT_EQ(ofEdit(wave), "interpolation takes at most 201 points in a monotone run, and one has 300");
+    EXPECT_EQ(ofEdit(Curve(wave)), "interpolation takes at most 201 points in a monotone run, and one has 300");
     ElevationCurve elevation;
     elevation.points.assign(202, {1, 2});
-    EXPECT_EQ(ofEdit(elevation), "this curve takes at most 201 points, and would have 202");
+    EXPECT_EQ(ofEdit(Curve(elevation)), "this curve takes at most 201 points, and would have 202");
     elevation.points = {{0, 0}, {2e9, 0}};
-    EXPECT_EQ(ofEdit(elevation), "coordinates go from -1000000000 to 1000000000");
+    EXPECT_EQ(ofEdit(Curve(elevation)), "coordinates go from -1000000000 to 1000000000");
     elevation.points = {{0, 0}, {1, 0}};
-    EXPECT_EQ(ofEdit(elevation, Sheet{std::vector<Curve>(1000, Curve(ElevationCurve())), {}}),
+    EXPECT_EQ(ofEdit(Curve(elevation), Sheet{std::vector<Curve>(1000, Curve(ElevationCurve())), {}}),
               "a sheet takes at most 1000 curves, and these are 1001");
     elevation.times = 10'000;
-    EXPECT_EQ(ofEdit(elevation, Sheet{std::vector<Curve>(200, Curve(elevation)), {}}),
+    EXPECT_EQ(ofEdit(Curve(elevation), Sheet{std::vector<Curve>(200, Curve(elevation)), {}}),
               "a sheet takes at most 2000000 points of elevated curves and of pieces");
 }
 

@@ -27,7 +27,7 @@ ElevationCurve singleArch() {
 Curve withFirstAt(Point at) {
     ElevationCurve curve = singleArch();
     curve.points[0] = at;
-    return curve;
+    return Curve(curve);
 }
 
 /// An open document with one curve in its first sheet.
@@ -64,7 +64,7 @@ TEST_F(OpenDocumentTest, aDragOfFiftyMovesIsOneStepAndOneSignalPerMove) {
 TEST_F(OpenDocumentTest, outAndBackIsNoStep) {
     document.beginGesture(kElevationSheet, serial, kMove);
     document.preview(withFirstAt({5, 5}));
-    document.preview(singleArch());
+    document.preview(Curve(singleArch()));
     document.endGesture();
     EXPECT_EQ(steps(), 0);
     EXPECT_FALSE(document.isModified());
@@ -86,13 +86,13 @@ TEST_F(OpenDocumentTest, aCancelledGestureLosesNeitherRedoNorTheSavedState) {
 
 TEST_F(OpenDocumentTest, aGestureThatDrawsANewCurveIsOneStepOrNone) {
     document.remove(kElevationSheet, serial, {"Delete the curve"});
-    const Serial drawn = *document.beginGestureWithNew(kElevationSheet, 0, singleArch(), {"New curve"});
+    const Serial drawn = *document.beginGestureWithNew(kElevationSheet, 0, Curve(singleArch()), {"New curve"});
     EXPECT_EQ(document.activeCurve(kElevationSheet), drawn);
     document.preview(withFirstAt({2, 1}));
     document.cancelGesture();
     EXPECT_EQ(document.find(kElevationSheet, drawn), nullptr);
     EXPECT_EQ(steps(), 1);
-    serial = *document.beginGestureWithNew(kElevationSheet, 0, singleArch(), {"New curve"});
+    serial = *document.beginGestureWithNew(kElevationSheet, 0, Curve(singleArch()), {"New curve"});
     document.preview(withFirstAt({2, 1}));
     document.preview(withFirstAt({3, 1}));
     document.endGesture();
@@ -140,7 +140,7 @@ TEST_F(OpenDocumentTest, undoDoesNotShowWhatIsHidden) {
 }
 
 TEST_F(OpenDocumentTest, undoingADeletionBringsTheSerialBack) {
-    document.add(kElevationSheet, 1, ElevationCurve{}, {"New curve"});
+    document.add(kElevationSheet, 1, Curve(ElevationCurve{}), {"New curve"});
     document.remove(kElevationSheet, serial, {"Delete the curve"});
     EXPECT_EQ(document.find(kElevationSheet, serial), nullptr);
     document.undo();
@@ -149,7 +149,7 @@ TEST_F(OpenDocumentTest, undoingADeletionBringsTheSerialBack) {
 }
 
 TEST_F(OpenDocumentTest, reorderingKeepsTheActiveCurve) {
-    const Serial other = document.add(kElevationSheet, 1, ElevationCurve{}, {"New curve"}).value();
+    const Serial other = document.add(kElevationSheet, 1, Curve(ElevationCurve{}), {"New curve"}).value();
     document.reorder(kElevationSheet, other, 0, {"Reorder the curves"});
     EXPECT_EQ(document.activeCurve(kElevationSheet), other);
     EXPECT_EQ(document.indexOf(kElevationSheet, other), 0);
@@ -162,16 +162,16 @@ TEST_F(OpenDocumentTest, whatIsBeyondALimitIsRefusedAndNothingChanges) {
     const QSignalSpy refusals(&document, &OpenDocument::refused);
     ElevationCurve tooLong = singleArch();
     tooLong.points.resize(limits::kControlPoints + 1);
-    EXPECT_FALSE(document.change(kElevationSheet, serial, tooLong, kMove));
+    EXPECT_FALSE(document.change(kElevationSheet, serial, Curve(tooLong), kMove));
     EXPECT_FALSE(document.change(kElevationSheet, serial, withFirstAt({1.1 * limits::kNumber, 0}), kMove));
     EXPECT_EQ(refusals.count(), 2);
     EXPECT_EQ(curve(), Curve(singleArch()));
     tooLong.points.pop_back();
-    EXPECT_TRUE(document.change(kElevationSheet, serial, tooLong, kMove));
+    EXPECT_TRUE(document.change(kElevationSheet, serial, Curve(tooLong), kMove));
 }
 
 TEST_F(OpenDocumentTest, clearingTheCanvasIsOneStep) {
-    document.add(kElevationSheet, 1, singleArch(), {"New curve"});
+    document.add(kElevationSheet, 1, Curve(singleArch()), {"New curve"});
     QThreadPool workers;
     SheetEditor editor(document, workers, kElevationSheet);
     const int before = steps();
@@ -201,7 +201,7 @@ class Person {
         switch (below(10)) {
         case 0:
             document_.add(kElevationSheet, below(static_cast<int>(document_.serials(kElevationSheet).size()) + 1),
-                          singleArch(), {"New curve"});
+                          Curve(singleArch()), {"New curve"});
             break;
         case 1:
             if (document_.serials(kElevationSheet).size() > 1)
@@ -231,7 +231,8 @@ class Person {
             document_.redo();
             break;
         case 8:
-            document_.preview(moved(*document_.beginGestureWithNew(kElevationSheet, 0, singleArch(), {"New curve"})));
+            document_.preview(
+                moved(*document_.beginGestureWithNew(kElevationSheet, 0, Curve(singleArch()), {"New curve"})));
             below(2) == 0 ? document_.endGesture() : document_.cancelGesture();
             break;
         default:
@@ -295,7 +296,7 @@ TEST_F(OpenDocumentTest, dividingACurveIsOneStepAndIsRefusedAsAWhole) {
     document.replace(start);
     const Serial first = document.serials(1)[0];
     const auto parts = *dividedAtCut(whole);
-    EXPECT_TRUE(document.divide(1, first, parts[0], parts[1], kMove));
+    EXPECT_TRUE(document.divide(1, first, Curve(parts[0]), Curve(parts[1]), kMove));
     EXPECT_EQ(document.sheet(1).curves, test::curves({parts[0], parts[1], whole}));
     EXPECT_EQ(document.activeCurve(1), first);
     EXPECT_EQ(document.history(1).count(), 1);
@@ -307,7 +308,7 @@ TEST_F(OpenDocumentTest, dividingACurveIsOneStepAndIsRefusedAsAWhole) {
 
     start.sheets[1].curves.assign(limits::kCurvesInSheet, Curve(whole));
     document.replace(start);
-    EXPECT_FALSE(document.divide(1, document.serials(1)[0], parts[0], parts[1], kMove));
+    EXPECT_FALSE(document.divide(1, document.serials(1)[0], Curve(parts[0]), Curve(parts[1]), kMove));
     EXPECT_EQ(document.sheet(1).curves, start.sheets[1].curves);
     EXPECT_EQ(document.history(1).count(), 0);
 }

@@ -9,7 +9,7 @@ namespace {
 [[nodiscard]] Curve curveTo(Point end) {
     ElevationCurve curve;
     curve.points = {{0, 0}, {1, 2}, end};
-    return curve;
+    return Curve(curve);
 }
 
 class SerialDocumentTest : public testing::Test {

@@ -34,7 +34,7 @@ class SheetInputTest : public ::testing::Test, protected SplineOnCanvas, protect
         arc.knots[1].out = kOut;
         Document both;
         both.active = editor.index();
-        both.sheets[editor.index()].curves = {arc, through({{-150, -100}, {150, -100}})};
+        both.sheets[editor.index()].curves = {Curve(arc), Curve(through({{-150, -100}, {150, -100}}))};
         both.sheets[editor.index()].view.activeCurve = 1;
         document.replace(both);
         show();

@@ -103,7 +103,8 @@ class SplineResultsTest : public ResultsPanelTest {
   protected:
     SplineResultsTest()
         : ResultsPanelTest(2) {
-        open(exampleDocument(QStringLiteral(":/examples/self-intersections.kriva")).sheets[2].curves);
+        const Document document = exampleDocument(QStringLiteral(":/examples/self-intersections.kriva"));
+        open({document.sheets[2].curves.begin(), document.sheets[2].curves.end()});
         static_cast<void>(rows());
     }
     /// The first row of a crossing.
