@@ -1,5 +1,6 @@
 #include "ui/editing/sheet_editor.h"
 
+#include "core/document/conversion.h"
 #include "core/document/document_drags.h"
 #include "core/geometry/tolerance.h"
 #include "ui/editing/sheet/move_label.h"

@@ -72,9 +72,9 @@ TEST_F(ElevationPropertiesTest, refusedNumbersChangeNothing) {
 }
 
 TEST_F(ElevationPropertiesTest, whatTheSheetHasNoRoomForIsNotShownEither) {
-    std::vector<Curve> curves(200, Curve(with(before, 10'000))); // 10,004 points each, 2,000,000 in all
+    std::vector<test::AnyCurve> curves(200, with(before, 10'000)); // 10,004 points each, 2,000,000 in all
     curves[0] = before;
-    open(std::move(curves));
+    open(curves);
     type(field, "10003");
     expectNoStep(before);
     EXPECT_EQ(field.text(), QStringLiteral("8"));
