@@ -27,12 +27,7 @@ std::pair<int, int> differingRows(const Points& before, const Points& now) {
     const auto first = std::ranges::mismatch(before, now).in1 - before.begin();
     if (first == std::ssize(before))
         return {0, static_cast<int>(first)};
-    const auto isSame = [&](std::ptrdiff_t i) {
-        return before[static_cast<std::size_t>(i)] == now[static_cast<std::size_t>(i)];
-    };
-    std::ptrdiff_t last = std::ssize(before) - 1;
-    while (isSame(last))
-        --last;
+    const auto last = before.rend() - std::mismatch(before.rbegin(), before.rend(), now.rbegin()).first - 1;
     return {static_cast<int>(first), static_cast<int>(last)};
 }
 
@@ -136,16 +131,11 @@ QVariant PointsModel::draftData(int column, int role) const {
 }
 
 QVariant PointsModel::coordinateData(double number, int role) const {
-    switch (role) {
-    case Qt::EditRole:
+    if (role == Qt::EditRole)
         return number;
-    case Qt::ToolTipRole:
+    if (role == Qt::ToolTipRole)
         return formatNumber(number);
-    case Qt::DisplayRole:
-        return shownNumber(number, kDigits);
-    default:
-        return {};
-    }
+    return role == Qt::DisplayRole ? QVariant(shownNumber(number, kDigits)) : QVariant();
 }
 
 bool PointsModel::setData(const QModelIndex& index, const QVariant& value, int role) {
