@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <numbers>
+#include <utility>
 
 namespace kriva {
 
@@ -54,11 +55,33 @@ constexpr std::array<std::span<const GaussNode>, kGaussSizes.size()> kRules{
     kRule<kGaussSizes[0]>, kRule<kGaussSizes[1]>, kRule<kGaussSizes[2]>, kRule<kGaussSizes[3]>, kRule<kGaussSizes[4]>,
     kRule<kGaussSizes[5]>, kRule<kGaussSizes[6]>, kRule<kGaussSizes[7]>, kRule<kGaussSizes[8]>};
 
+template <int kSize>
+constexpr CentredRule makeCentredRule() {
+    CentredRule rule;
+    for (const GaussNode& node : kRule<kSize>) {
+        rule.offsets[rule.half] = 0.5 - node.at;
+        rule.weights[rule.half++] = node.weight;
+    }
+    return rule;
+}
+
+template <std::size_t... index>
+constexpr std::array<CentredRule, sizeof...(index)> makeCentredRules(std::index_sequence<index...>) {
+    return {makeCentredRule<CentredRule::kSizes[index]>()...};
+}
+
+constexpr auto kCentredRules = makeCentredRules(std::make_index_sequence<CentredRule::kSizes.size()>());
+
 } // namespace
 
 std::span<const GaussNode> gaussNodes(std::size_t index) {
     assert(index < kRules.size());
     return kRules[index];
+}
+
+const CentredRule& centredRule(std::size_t index) {
+    assert(index < kCentredRules.size());
+    return kCentredRules[index];
 }
 
 } // namespace kriva

@@ -1,5 +1,6 @@
 #include "core/bezier/measures/arc_length.h"
 
+#include "core/bezier/measures/speed_integral.h"
 #include "core/polynomial/bernstein_polynomial.h"
 #include "core/polynomial/casteljau.h"
 #include "core/polynomial/gauss_legendre.h"
@@ -180,6 +181,29 @@ void forEachScaledPiece(std::span<const Point> curve, double scale, const Use& u
     }
 }
 
+/// The length of a parabola or a cubic whose largest side has a square and a fourth power within the range of doubles.
+double lengthOfLowDegree(std::span<const Point> curve) {
+    const Vector first = curve[1] - curve[0];
+    const Vector second = curve[2] - curve[1];
+    if (curve.size() == 3)
+        return integralOfSpeed({2 * first, 2 * (second - first), {}});
+    const Vector third = curve[3] - curve[2];
+    return integralOfSpeed({3 * first, 6 * (second - first), 3 * ((third - second) - (second - first))});
+}
+
+/// The same of any.
+double lengthOfLowDegree(std::span<const Point> curve, double largest) {
+    constexpr double kLeast = 1e-50;
+    constexpr double kMost = 1e50;
+    if (kLeast < largest && largest < kMost)
+        return lengthOfLowDegree(curve);
+    const double unit = std::exp2(std::ilogb(largest)); // a power of two, so that dividing by it changes no digit
+    Points scaled;
+    for (const Point p : curve)
+        scaled.push_back(Point{} + (p - curve[0]) / unit);
+    return unit * lengthOfLowDegree(scaled);
+}
+
 /// The local parameter at which a piece has run through `rest` of its length. The length grows with the parameter, so
 /// Newton's method in a bracket cannot miss; the rule of the piece is enough for its parts, whose ellipses lie inside
 /// its own.
@@ -213,6 +237,8 @@ double arcLength(std::span<const Point> curve) {
     const double scale = largestSide(curve);
     if (scale == 0)
         return 0;
+    if (curve.size() <= 4)
+        return lengthOfLowDegree(curve, scale);
     double sum = 0;
     forEachScaledPiece(curve, scale, [&](const auto& piece) {
         sum += piece.length();

@@ -28,6 +28,21 @@ TEST(GaussLegendre, integratesPolynomialsOfTwiceItsSize) {
             EXPECT_NEAR(integral(i, [&](double t) { return std::pow(t, power); }) * (power + 1), 1, 1e-14);
 }
 
+TEST(GaussLegendre, centredRulesAreTheSame) {
+    for (std::size_t i = 0; i < CentredRule::kSizes.size(); ++i) {
+        const CentredRule& rule = centredRule(i);
+        EXPECT_EQ(2 * rule.half, static_cast<std::size_t>(CentredRule::kSizes[i]));
+        EXPECT_EQ(rule.half % 4, 0);
+        for (const int power : {0, 1, 7, 2 * CentredRule::kSizes[i] - 1}) {
+            double sum = 0;
+            for (std::size_t k = 0; k < rule.half; ++k)
+                sum +=
+                    rule.weights[k] * (std::pow(0.5 - rule.offsets[k], power) + std::pow(0.5 + rule.offsets[k], power));
+            EXPECT_NEAR(sum * (power + 1), 1, 1e-14);
+        }
+    }
+}
+
 TEST(GaussLegendre, meetsThePrintedNodesOfEightPoints) {
     // Abramowitz, Stegun, Handbook of Mathematical Functions, table 25.4, n = 8.
     EXPECT_NEAR(1 - 2 * gaussNodes(0)[0].at, 0.960289856497536, 1e-15);
