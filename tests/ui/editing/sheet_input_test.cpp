@@ -111,7 +111,7 @@ TEST_F(SheetInputTest, insertingMakesTheCurveActive) {
     const int count = static_cast<int>(value(arc()).knots.size());
     view.setTool(Tool::add);
     move({0, 100});
-    const Point onArc = pointAt(withPointInserted(value(arc()), {55, 70})->curve, 2);
+    const Point onArc = pointAt(withPointInserted(value(arc()), {95, 25})->curve, 2);
 
     click(onArc);
     EXPECT_EQ(editor.activeSerial(), arc());
