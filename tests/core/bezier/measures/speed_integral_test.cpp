@@ -10,7 +10,7 @@ namespace {
 
 using test::SplitMix;
 
-constexpr double kPromise = 1e-12;
+constexpr double kPromisedError = 1e-12;
 
 Point anywhere(SplitMix& random) {
     return Point{} + random.inSquare(-1000, 1000);
@@ -61,7 +61,7 @@ TEST(SpeedIntegral, isWhatHalvingTellsOfTenThousandCurvesOfEachKind) {
             const Points curve = any(random);
             // Raised above degree 3, the same curve is measured by halving it alone.
             const double halved = arcLength(elevated(curve, curve.size() == 3 ? 2 : 1));
-            over += !(std::abs(arcLength(curve) - halved) <= kPromise * halved);
+            over += !(std::abs(arcLength(curve) - halved) <= kPromisedError * halved);
         }
         EXPECT_EQ(over, 0);
     }
@@ -79,7 +79,7 @@ TEST(SpeedIntegral, passesAStandstillInsideAndAtTheEnds) {
     for (const double a : {0.0, 1e-9, 0.3, 0.5, 1 - 1e-9, 1.0})
         for (const double b : {0.0, 1e-12, 1e-6, 0.01, 0.1}) {
             const double expected = 1.0 / 3 - a + a * a + b * b;
-            EXPECT_NEAR(integralOfSpeed({{a * a + b * b, 0}, {-2 * a, 0}, {1, 0}}) / expected, 1, kPromise);
+            EXPECT_NEAR(integralOfSpeed({{a * a + b * b, 0}, {-2 * a, 0}, {1, 0}}) / expected, 1, kPromisedError);
         }
     // t - a along x and b along y: one zero at a + ib.
     const auto primitive = [](double s, double b) {
@@ -88,14 +88,14 @@ TEST(SpeedIntegral, passesAStandstillInsideAndAtTheEnds) {
     for (const double a : {0.0, 1e-9, 0.3, 0.5, 1.0})
         for (const double b : {0.0, 1e-12, 1e-6, 0.01, 0.1}) {
             const double expected = primitive(1 - a, b) - primitive(-a, b);
-            EXPECT_NEAR(integralOfSpeed({{-a, b}, {1, 0}, {}}) / expected, 1, kPromise);
+            EXPECT_NEAR(integralOfSpeed({{-a, b}, {1, 0}, {}}) / expected, 1, kPromisedError);
         }
 }
 
 TEST(SpeedIntegral, knowsTwoStandstills) {
     // (t - 1/4) (t - 3/4) along x: 1/48 on each side of each.
-    EXPECT_NEAR(integralOfSpeed({{3.0 / 16, 0}, {-1, 0}, {1, 0}}) * 16, 1, kPromise);
-    EXPECT_NEAR(integralOfSpeed({{0, 3.0 / 16}, {0, -1}, {0, 1}}) * 16, 1, kPromise);
+    EXPECT_NEAR(integralOfSpeed({{3.0 / 16, 0}, {-1, 0}, {1, 0}}) * 16, 1, kPromisedError);
+    EXPECT_NEAR(integralOfSpeed({{0, 3.0 / 16}, {0, -1}, {0, 1}}) * 16, 1, kPromisedError);
 }
 
 } // namespace
