@@ -1,10 +1,7 @@
-#include "core/sheets/combined/combined_figure.h"
-
 #include "core/bezier/evaluate.h"
 #include "core/bezier/measures/curvature.h"
 #include "core/figure/labels.h"
 #include "core/sheets/combined/combined.h"
-#include "core/sheets/combined/combined_edits.h"
 
 #include <array>
 

@@ -1,8 +1,6 @@
-#include "core/sheets/combined/combined_report.h"
-
-#include "core/curve/limits.h"
+#include "core/curve/json/json_writer.h"
 #include "core/figure/labels.h"
-#include "core/sheets/combined/combined_json.h"
+#include "core/sheets/combined/combined.h"
 #include "core/sheets/combined/path_measures.h"
 
 namespace kriva {

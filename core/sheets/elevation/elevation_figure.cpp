@@ -1,8 +1,6 @@
-#include "core/sheets/elevation/elevation_figure.h"
-
 #include "core/bezier/elevate.h"
 #include "core/figure/labels.h"
-#include "core/sheets/elevation/elevation_edits.h"
+#include "core/sheets/elevation/elevation.h"
 #include "core/sheets/elevation/elevation_layers.h"
 
 namespace kriva {

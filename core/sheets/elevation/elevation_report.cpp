@@ -1,7 +1,7 @@
-#include "core/sheets/elevation/elevation_report.h"
-
 #include "core/bezier/bounds.h"
 #include "core/bezier/measures/arc_length.h"
+#include "core/curve/json/json_writer.h"
+#include "core/sheets/elevation/elevation.h"
 
 namespace kriva {
 

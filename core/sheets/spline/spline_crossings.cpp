@@ -1,5 +1,6 @@
 #include "core/sheets/spline/spline_crossings.h"
 
+#include "core/curve/json/json_writer.h"
 #include "core/figure/labels.h"
 
 #include <algorithm>

@@ -1,11 +1,9 @@
-#include "core/sheets/spline/spline_figure.h"
-
 #include "core/bezier/evaluate.h"
 #include "core/figure/labels.h"
 #include "core/sheets/spline/editing/joins.h"
-#include "core/sheets/spline/editing/spline_edits.h"
 #include "core/sheets/spline/layers/curvature_comb.h"
 #include "core/sheets/spline/layers/spline_layers.h"
+#include "core/sheets/spline/spline.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,6 @@
-#include "core/sheets/subdivision/subdivision_figure.h"
-
 #include "core/curve/limits.h"
 #include "core/figure/labels.h"
-#include "core/sheets/subdivision/subdivision_edits.h"
+#include "core/sheets/subdivision/subdivision.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,7 @@
-#include "core/sheets/subdivision/subdivision_report.h"
-
 #include "core/bezier/bounds.h"
 #include "core/bezier/measures/arc_length.h"
-#include "core/curve/limits.h"
+#include "core/curve/json/json_writer.h"
+#include "core/sheets/subdivision/subdivision.h"
 
 #include <numeric>
 

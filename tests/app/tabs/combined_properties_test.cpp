@@ -1,5 +1,5 @@
 #include "core/io/svg/svg_writer.h"
-#include "core/sheets/combined/combined_figure.h"
+#include "core/sheets/combined/combined.h"
 #include "tests/support/panel_test.h"
 #include "ui/controls/player.h"
 #include "ui/figures/caption_text.h"
