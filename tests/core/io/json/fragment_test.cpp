@@ -41,7 +41,7 @@ RC_GTEST_PROP(Fragment, comesBackBitForBit, ()) {
 
 TEST(Fragment, ofPointsHoldsThemWithAllThatBelongsToThem) {
     const std::vector<int> chosen{1, 3};
-    const Fragment fragment = fragmentOf(corners(), chosen);
+    const Fragment fragment = fragmentOf(Curve(corners()), chosen);
     EXPECT_EQ(fragment.content, Content::points);
     const auto& points = std::get<SplineCurve>(fragment.curve);
     ASSERT_EQ(points.knots.size(), 2u);
@@ -66,7 +66,7 @@ TEST(Fragment, isRefusedWithThePlaceOfTheFault) {
 TEST(Fragment, beyondTheLimitsOfADocumentIsRefused) {
     ElevationCurve curve;
     curve.points.assign(limits::kControlPoints + 1, {1, 2});
-    const FileError error = refusalOfFragment(writeFragment({Content::curve, curve}));
+    const FileError error = refusalOfFragment(writeFragment({Content::curve, Curve(curve)}));
     EXPECT_EQ(error.problem, FileProblem::tooMany);
     EXPECT_EQ(error.numbers, std::vector<double>{201});
     EXPECT_EQ(refusalOfFragment(std::string(limits::kFileBytes + 1, ' ')).problem, FileProblem::tooLarge);

@@ -17,7 +17,7 @@ TEST(CurveSvg, isOnePathInMillimetresWithoutPaper) {
     ElevationCurve curve;
     curve.name = "Arch";
     curve.points = {{0, 0}, {0, 3}, {4, 3}, {4, 0}};
-    const std::optional<std::string> svg = writeCurveSvg(curve, 10, kCaptionTexts);
+    const std::optional<std::string> svg = writeCurveSvg(Curve(curve), 10, kCaptionTexts);
     ASSERT_TRUE(svg);
     EXPECT_THAT(*svg, HasSubstr("<title>Arch</title>"));
     EXPECT_THAT(*svg, HasSubstr(R"(<path id="curve-0" d="M 6,28.5 C 6,-1.5 46,-1.5 46,28.5")"));
@@ -27,7 +27,7 @@ TEST(CurveSvg, isOnePathInMillimetresWithoutPaper) {
 }
 
 TEST(CurveSvg, isNothingWhereNothingIsDrawnYet) {
-    EXPECT_EQ(writeCurveSvg(ElevationCurve{}, {}, kCaptionTexts), std::nullopt);
+    EXPECT_EQ(writeCurveSvg(Curve(ElevationCurve{}), {}, kCaptionTexts), std::nullopt);
     EXPECT_EQ(writeCurveSvg(emptyCurve(3), {}, kCaptionTexts), std::nullopt);
 }
 

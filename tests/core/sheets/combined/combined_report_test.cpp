@@ -90,7 +90,7 @@ TEST(CombinedReport, isRefusedWhereItsPathsHaveTooManyPieces) {
 TEST(CombinedReport, tellsPeopleEveryRun) {
     CombinedCurve curve;
     curve.points = {{0, 0}, {1, 1}, {0, 3}};
-    const std::vector<Result> rows = results(curve);
+    const std::vector<Result> rows = results(Curve(curve));
     const auto isOf = [](Caption caption, std::string_view index) {
         return [=](const Result& row) { return row.caption == caption && row.index == index; };
     };

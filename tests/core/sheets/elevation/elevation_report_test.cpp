@@ -56,7 +56,7 @@ TEST(ElevationReport, ofCoincidentPointsIsAPoint) {
 }
 
 TEST(ElevationResults, areTheNumbersOfTheReport) {
-    const std::vector<Result> rows = results(namedArch());
+    const std::vector<Result> rows = results(Curve(namedArch()));
     ASSERT_EQ(rows.size(), 5u);
     EXPECT_EQ(std::get<int>(*rows[0].value), 3);
     EXPECT_EQ(std::get<Box>(*rows[2].value), (Box{0, 0, 4, 1.5}));

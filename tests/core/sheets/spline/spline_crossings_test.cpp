@@ -18,9 +18,9 @@ Sheet sheetOf(std::vector<Curve> curves) {
     return {std::move(curves), {}};
 }
 
-const Curve kRising = line({0, 0}, {4, 4});
-const Curve kFalling = line({0, 4}, {4, 0});
-const Curve kUpright = line({1, -1}, {1, 9});
+const Curve kRising(line({0, 0}, {4, 4}));
+const Curve kFalling(line({0, 4}, {4, 0}));
+const Curve kUpright(line({1, -1}, {1, 9}));
 
 Points marksOf(const Relations& relations) {
     return relations.figure.layers.at(0).marks.at(0).at;
@@ -45,7 +45,7 @@ TEST(SplineRelations, markOnlyCrossingsOfCurvesThatAreShown) {
 
 TEST(SplineRelations, areNoneWhereNothingIsDrawnYet) {
     EXPECT_TRUE(relationsOf(sheetOf({}), 2).results.empty());
-    EXPECT_TRUE(relationsOf(sheetOf({ElevationCurve{}}), 0).results.empty());
+    EXPECT_TRUE(relationsOf(sheetOf({Curve(ElevationCurve{})}), 0).results.empty());
 }
 
 TEST(SplineRelations, areDrawnInTheFigureOfTheSheetUnlessTheLayerIsOff) {

@@ -88,7 +88,7 @@ TEST(SubdivisionReport, ofAnIncompleteCurveGivesNothingButItsName) {
 }
 
 TEST(SubdivisionResults, areTheNumbersOfTheReport) {
-    const std::vector<Result> rows = results(namedSplit());
+    const std::vector<Result> rows = results(Curve(namedSplit()));
     ASSERT_EQ(rows.size(), 9u);
     EXPECT_EQ(std::get<int>(*rows[0].value), 4);
     EXPECT_EQ(rows[3].caption, Caption::pointAtT);
