@@ -20,7 +20,7 @@ inline constexpr int kFitDegreeHigh = 9;
 
 struct CombinedCurve {
     static constexpr std::string_view kSheet = "combined";
-    static constexpr Caption kCaption = Caption::combined;
+    static constexpr Caption kCaption = translatable("Caption", "Combined algorithm");
     static constexpr Capabilities kCapabilities{.animation = true, .longDrawing = true, .outputLimits = true};
     enum class Method { approximation, interpolation, pairs };
     enum class Basis { power, newton, lagrange, chebyshev };

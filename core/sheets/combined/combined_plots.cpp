@@ -62,8 +62,8 @@ void shareX(PlotGroup& group) {
 std::optional<std::vector<PlotGroup>> plotsOf(const CombinedCurve& curve, WorkBudget& budget) {
     if (isIncomplete(curve))
         return std::vector<PlotGroup>();
-    PlotGroup values{Caption::valuesOfRuns, {}};
-    PlotGroup slopes{Caption::slopesOfRuns, {}};
+    PlotGroup values{translatable("Caption", "Values of the runs, y(x)"), {}};
+    PlotGroup slopes{translatable("Caption", "Slopes of the runs, y′(x)"), {}};
     const auto add = [&](Method method, Caption caption) {
         CombinedCurve other = curve;
         other.method = method;

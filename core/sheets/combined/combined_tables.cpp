@@ -39,7 +39,7 @@ Table runsTable(const Combined& combined) {
 
 Table joinsTable(const Combined& combined) {
     constexpr std::size_t kMostPoints = 4;
-    Table table{Caption::joins, {{Caption::afterRun}, {Caption::degree}}, {}};
+    Table table{Caption::joins, {{translatable("Caption", "After run")}, {Caption::degree}}, {}};
     for (std::size_t i = 0; i < kMostPoints; ++i)
         table.columns.push_back({Caption::none, "b", decimal(static_cast<int>(i))});
     for (const CombinedJoin& join : combined.joins) {

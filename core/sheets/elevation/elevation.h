@@ -11,7 +11,7 @@ inline constexpr int kElevations = 10'000;
 
 struct ElevationCurve {
     static constexpr std::string_view kSheet = "elevation";
-    static constexpr Caption kCaption = Caption::elevation;
+    static constexpr Caption kCaption = translatable("Caption", "Degree elevation");
     static constexpr Capabilities kCapabilities{.animation = true};
 
     std::string name;

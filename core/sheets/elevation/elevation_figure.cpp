@@ -7,11 +7,11 @@ namespace kriva {
 namespace {
 
 constexpr std::array kLayers{
-    LayerInfo{"convex-hull", Caption::convexHull, false, true},
-    LayerInfo{"all-polygons", Caption::allPolygons, false, true},
+    LayerInfo{"convex-hull", translatable("Caption", "Convex hull"), false, true},
+    LayerInfo{"all-polygons", translatable("Caption", "All polygons so far"), false, true},
     LayerInfo{"control-polygon", Caption::controlPolygon},
-    LayerInfo{"elevated-polygon", Caption::elevatedPolygon, true, true},
-    LayerInfo{"end-tangents", Caption::endTangents, false, true},
+    LayerInfo{"elevated-polygon", translatable("Caption", "Elevated polygon"), true, true},
+    LayerInfo{"end-tangents", translatable("Caption", "End tangents"), false, true},
     LayerInfo{kCurveLayer, Caption::curve},
     LayerInfo{"points", Caption::points},
     LayerInfo{"labels", Caption::labels, true, true},

@@ -13,7 +13,7 @@ std::optional<std::vector<Table>> tablesOf(const ElevationCurve& curve, WorkBudg
     if (!budget.spend())
         return {};
     const double degree = static_cast<double>(after.size()) - 1;
-    Table table{Caption::newPoints,
+    Table table{translatable("Caption", "Points of the last elevation"),
                 {{Caption::none, "i", ""},
                  {Caption::none, "i/N", ""},
                  {Caption::none, "b", "i−1"},

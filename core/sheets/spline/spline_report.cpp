@@ -40,7 +40,7 @@ std::optional<std::vector<Result>> results(const SplineCurve& curve, WorkBudget&
     std::vector<Result> rows{{Caption::degree, "", curve.degree},
                              {Caption::length, "", measures.length},
                              {Caption::bounds, "", measures.bounds},
-                             {Caption::curvatureExtrema, "", measures.curvatureExtrema},
+                             {translatable("Caption", "Extrema of the curvature"), "", measures.curvatureExtrema},
                              {Caption::bendingEnergy, "", measures.bendingEnergy}};
     for (std::size_t i = 0; i < measures.lengths.size(); ++i) {
         const std::string index = decimal(static_cast<int>(i));
@@ -49,9 +49,9 @@ std::optional<std::vector<Result>> results(const SplineCurve& curve, WorkBudget&
     }
     for (std::size_t i = 0; i < measures.chain.continuity.size(); ++i) {
         const Continuity continuity = measures.chain.continuity[i];
-        const Result::Value value =
-            continuity == Continuity::end ? Result::Value(Caption::openEnd) : std::string(nameOf(continuity));
-        rows.push_back({Caption::continuity, decimal(static_cast<int>(i)), value});
+        const Result::Value value = continuity == Continuity::end ? Result::Value(translatable("Caption", "open end"))
+                                                                  : std::string(nameOf(continuity));
+        rows.push_back({translatable("Caption", "Continuity at knot"), decimal(static_cast<int>(i)), value});
     }
     return rows;
 }

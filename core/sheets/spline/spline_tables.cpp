@@ -8,7 +8,7 @@ namespace kriva {
 namespace {
 
 Table coefficientsTable(const SplineCurve& curve, WorkBudget& budget) {
-    Table table{Caption::coefficients, {{Caption::segment}}, {}};
+    Table table{Caption::coefficients, {{translatable("Caption", "Segment")}}, {}};
     for (int k = 0; k <= curve.degree; ++k)
         table.columns.push_back({Caption::none, "B", decimal(k)});
     for (const Points& segment : segmentsOf(curve)) {
@@ -29,7 +29,10 @@ TableCell cellOf(std::optional<double> value) {
 /// All knots take their handles from the rule, or there would be nothing to compare.
 Table rulesTable(const SplineCurve& curve, WorkBudget& budget) {
     Table table{Caption::allRules,
-                {{Caption::rule}, {Caption::length}, {Caption::bendingEnergy}, {Caption::largestCurvature}},
+                {{translatable("Caption", "Rule")},
+                 {Caption::length},
+                 {Caption::bendingEnergy},
+                 {translatable("Caption", "Largest curvature")}},
                 {}};
     SplineCurve other = curve;
     other.inner.clear();

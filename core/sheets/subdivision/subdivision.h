@@ -16,7 +16,7 @@ inline constexpr std::size_t kReportedSchemePoints = 2'000'000; ///< of de Caste
 
 struct SubdivisionCurve {
     static constexpr std::string_view kSheet = "subdivision";
-    static constexpr Caption kCaption = Caption::subdivision;
+    static constexpr Caption kCaption = translatable("Caption", "Subdivision");
     static constexpr Capabilities kCapabilities{.animation = true, .outputLimits = true};
 
     std::string name;

@@ -9,7 +9,7 @@ namespace {
 Table schemeTable(Caption caption, const Triangle& triangle) {
     Table table{caption, {{Caption::none, "i", ""}}, {}};
     for (std::size_t level = 0; level < triangle.size(); ++level)
-        table.columns.push_back({Caption::level, "", decimal(static_cast<int>(level))});
+        table.columns.push_back({translatable("Caption", "Level"), "", decimal(static_cast<int>(level))});
     for (std::size_t i = 0; i < triangle.size(); ++i) {
         std::vector<TableCell>& row = table.rows.emplace_back(table.columns.size());
         row[0].value = static_cast<int>(i);
@@ -20,7 +20,10 @@ Table schemeTable(Caption caption, const Triangle& triangle) {
 }
 
 Table weightsTable(std::span<const Point> polygon, double t) {
-    Table table{Caption::weightsAtT, {{Caption::none, "i", ""}, {Caption::controlPoint}, {Caption::weight}}, {}};
+    Table table{
+        Caption::weightsAtT,
+        {{Caption::none, "i", ""}, {translatable("Caption", "Control point")}, {translatable("Caption", "Weight")}},
+        {}};
     const std::vector<double> weights = bernstein(static_cast<int>(polygon.size()) - 1, t);
     for (std::size_t i = 0; i < polygon.size(); ++i)
         table.rows.push_back({{static_cast<int>(i)}, {polygon[i]}, {weights[i]}});

@@ -38,7 +38,7 @@ struct SplineKnot {
 
 struct SplineCurve {
     static constexpr std::string_view kSheet = "spline";
-    static constexpr Caption kCaption = Caption::spline;
+    static constexpr Caption kCaption = translatable("Caption", "Spline");
     static constexpr Capabilities kCapabilities{
         .handles = true, .closing = true, .pieces = true, .relations = true, .outputLimits = true};
     enum class Rule { mirror, natural, clamped, catmullRom };
@@ -62,10 +62,11 @@ struct NamedRule {
     std::string_view word;
     Caption caption;
 };
-inline constexpr std::array<NamedRule, 4> kRules{{{SplineCurve::Rule::mirror, "mirror", Caption::mirror},
-                                                  {SplineCurve::Rule::natural, "natural", Caption::natural},
-                                                  {SplineCurve::Rule::clamped, "clamped", Caption::clamped},
-                                                  {SplineCurve::Rule::catmullRom, "catmull-rom", Caption::catmullRom}}};
+inline constexpr std::array<NamedRule, 4> kRules{
+    {{SplineCurve::Rule::mirror, "mirror", translatable("Caption", "mirror")},
+     {SplineCurve::Rule::natural, "natural", translatable("Caption", "natural")},
+     {SplineCurve::Rule::clamped, "clamped", translatable("Caption", "clamped")},
+     {SplineCurve::Rule::catmullRom, "catmull-rom", translatable("Caption", "Catmull–Rom")}}};
 
 /// Fewer than 2 knots, or 3 where the curve is closed: still being drawn.
 [[nodiscard]] bool isIncomplete(const SplineCurve& curve);
