@@ -8,6 +8,8 @@
 #include "core/curve/editing/handle_way.h"
 #include "core/curve/output.h"
 #include "core/curve/relations.h"
+#include "core/curve/table.h"
+#include "core/figure/plot/plot.h"
 #include "core/figure/style/frame_place.h"
 
 #include <concepts>
@@ -88,6 +90,9 @@ concept SheetOutput = requires(const C& curve, C& read, const FigureContext& con
     { drawingSteps(curve) } -> std::same_as<std::uint64_t>;
     // Rows of numbers for people, of a complete curve; nothing where the budget ends.
     { results(curve, budget) } -> std::same_as<std::optional<std::vector<Result>>>;
+    // Plots in groups, and tables, none of incomplete curves; nothing where the budget ends.
+    { plotsOf(curve, budget) } -> std::same_as<std::optional<std::vector<PlotGroup>>>;
+    { tablesOf(curve, budget) } -> std::same_as<std::optional<std::vector<Table>>>;
     // The members of a complete curve in the report, after its name.
     { reportCurve(json, curve) } -> std::same_as<void>;
     // Refuses what format.md does not allow; writes the keys that differ from their defaults.

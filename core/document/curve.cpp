@@ -162,4 +162,12 @@ std::vector<Result> results(const Curve& curve) {
     return withoutLimit([&](WorkBudget& budget) { return results(curve, budget); });
 }
 
+std::optional<std::vector<PlotGroup>> plotsOf(const Curve& curve, WorkBudget& budget) {
+    return std::visit([&](const auto& c) { return plotsOf(c, budget); }, curve);
+}
+
+std::optional<std::vector<Table>> tablesOf(const Curve& curve, WorkBudget& budget) {
+    return std::visit([&](const auto& c) { return tablesOf(c, budget); }, curve);
+}
+
 } // namespace kriva

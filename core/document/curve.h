@@ -72,5 +72,7 @@ inline constexpr SheetIndex kSheetCount = std::variant_size_v<CurveKinds>;
 [[nodiscard]] Edited<Curve> reversed(const Curve& curve);
 [[nodiscard]] std::optional<std::vector<Result>> results(const Curve& curve, WorkBudget& budget);
 [[nodiscard]] std::vector<Result> results(const Curve& curve);
+[[nodiscard]] std::optional<std::vector<PlotGroup>> plotsOf(const Curve& curve, WorkBudget& budget);
+[[nodiscard]] std::optional<std::vector<Table>> tablesOf(const Curve& curve, WorkBudget& budget);
 
 } // namespace kriva

@@ -60,7 +60,7 @@ void addSpline(Table& table, const CombinedCurve& curve, WorkBudget& budget) {
     const std::optional<SplineMeasures> measures = measure(spline, budget);
     if (!measures)
         return;
-    table.rows.push_back({{Caption::spline},
+    table.rows.push_back({{SplineCurve::kCaption},
                           {3},
                           {0.0},
                           {0.0},
@@ -73,7 +73,7 @@ void addSpline(Table& table, const CombinedCurve& curve, WorkBudget& budget) {
 
 std::optional<Table> compareMethods(const CombinedCurve& curve, WorkBudget& budget) {
     Table table{Caption::methods,
-                {{Caption::method},
+                {{translatable("Caption", "Method")},
                  {Caption::degree},
                  {Caption::residual},
                  {Caption::largestKink},
@@ -92,7 +92,7 @@ std::optional<Table> compareMethods(const CombinedCurve& curve, WorkBudget& budg
         addMethod(table, {{Caption::approximation}, {other.degree}}, other, budget);
     other.method = Method::pairs;
     other.degree = curve.degree;
-    addMethod(table, {{Caption::pairs}, {curve.degree}}, other, budget);
+    addMethod(table, {{translatable("Caption", "Pairs")}, {curve.degree}}, other, budget);
     addSpline(table, curve, budget);
     if (budget.end())
         return {};

@@ -1,6 +1,7 @@
 #include "core/document/report.h"
 
 #include "core/budget/work_budget.h"
+#include "core/curve/json/json_writer.h"
 #include "core/curve/limits.h"
 #include "core/document/limit_check.h"
 

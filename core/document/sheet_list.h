@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/sheets/combined/combined_sheet.h"
-#include "core/sheets/elevation/elevation_sheet.h"
-#include "core/sheets/spline/spline_sheet.h"
-#include "core/sheets/subdivision/subdivision_sheet.h"
+#include "core/sheets/combined/combined.h"
+#include "core/sheets/elevation/elevation.h"
+#include "core/sheets/spline/spline.h"
+#include "core/sheets/subdivision/subdivision.h"
 
 #include <variant>
 

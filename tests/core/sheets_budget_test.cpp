@@ -1,14 +1,10 @@
 #include "core/document/document.h"
 #include "core/document/methods.h"
 #include "core/document/sheet_figure.h"
-#include "core/sheets/combined/views/combined_plots.h"
-#include "core/sheets/combined/views/combined_tables.h"
-#include "core/sheets/elevation/views/elevation_plots.h"
-#include "core/sheets/elevation/views/elevation_tables.h"
-#include "core/sheets/spline/views/spline_plots.h"
-#include "core/sheets/spline/views/spline_tables.h"
-#include "core/sheets/subdivision/views/subdivision_plots.h"
-#include "core/sheets/subdivision/views/subdivision_tables.h"
+#include "core/sheets/combined/combined.h"
+#include "core/sheets/elevation/elevation.h"
+#include "core/sheets/spline/spline.h"
+#include "core/sheets/subdivision/subdivision.h"
 
 #include <gtest/gtest.h>
 

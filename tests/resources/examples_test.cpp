@@ -1,7 +1,7 @@
 #include "core/bezier/evaluate.h"
 #include "core/document/sheet_figure.h"
 #include "core/sheets/combined/monotone_runs.h"
-#include "core/sheets/spline/chain/spline.h"
+#include "core/sheets/spline/chain/spline_curve.h"
 #include "tests/support/documents.h"
 
 #include <gtest/gtest.h>

@@ -47,6 +47,8 @@ REQUIRED = {
     "figureOf": "Figure figureOf(const Sheet&, const FigureContext&);",
     "drawingSteps": "std::uint64_t drawingSteps(const Sheet&);",
     "results": "std::optional<std::vector<Result>> results(const Sheet&, WorkBudget&);",
+    "plotsOf": "std::optional<std::vector<PlotGroup>> plotsOf(const Sheet&, WorkBudget&);",
+    "tablesOf": "std::optional<std::vector<Table>> tablesOf(const Sheet&, WorkBudget&);",
     "reportCurve": "void reportCurve(JsonWriter&, const Sheet&);",
     "readCurve": "void readCurve(const JsonNode&, Sheet&);",
     "writeCurve": "void writeCurve(JsonWriter&, const Sheet&);",

@@ -5,6 +5,7 @@
 #include "ui/panels/guide/guide_panel.h"
 #include "ui/panels/history_panel.h"
 #include "ui/panels/layers_panel.h"
+#include "ui/panels/plots/plots_panel.h"
 #include "ui/panels/results_panel.h"
 #include "ui/panels/watched_panel.h"
 #include "ui/tabs/properties/properties_area.h"
@@ -105,7 +106,7 @@ QWidget* SheetPanels::properties() const {
 }
 
 QWidget* SheetPanels::plots() {
-    auto* panel = new PlotsPanel(editor_, ui_.plots);
+    auto* panel = new PlotsPanel(editor_);
     QObject::connect(panel, &PlotsPanel::exportRequested, &tab_, [this](const std::vector<Plot>& shown) {
         exportPlots(shown, exportedPlots_, editor_.workers(), &tab_);
     });

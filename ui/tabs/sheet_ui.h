@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ui/panels/plots/plots_panel.h"
 #include "ui/panels/points_panel.h"
 #include "ui/panels/tables/tables_panel.h"
 
@@ -44,11 +43,10 @@ struct SheetNumber {
 struct SheetUi {
     const char* title = ""; ///< marked with QT_TRANSLATE_NOOP("Sheet", ...)
     std::function<QWidget*(SheetEditor&, QWidget*)> makeProperties;
-    std::vector<PointColumn> pointColumns; ///< of the Points table, behind index, x and y
+    std::vector<PointColumn> pointColumns = {}; ///< of the Points table, behind index, x and y
     SheetNumber number;
-    std::vector<SheetAction> actions; ///< by groups
-    PlotsPanel::Plots plots;
-    TablesPanel::Tables tables;
+    std::vector<SheetAction> actions = {}; ///< by groups
+    TablesPanel::Tables tables = [](const Curve& curve, WorkBudget& budget) { return tablesOf(curve, budget); };
     std::vector<Role> explained = {}; ///< of marks that stand in the tables
 };
 

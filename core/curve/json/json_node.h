@@ -36,8 +36,12 @@ class JsonNode {
     [[nodiscard]] Vector vector() const;
     [[nodiscard]] Points points(std::size_t atMost = limits::kPointsInCurve) const;
     /// One of the words of a table.
+    template <class Value, std::size_t size>
+    [[nodiscard]] Value oneOf(std::span<const std::pair<std::string_view, Value>, size> table) const;
     template <class Value>
-    [[nodiscard]] Value oneOf(std::initializer_list<std::pair<std::string_view, Value>> table) const;
+    [[nodiscard]] Value oneOf(std::initializer_list<std::pair<std::string_view, Value>> table) const {
+        return oneOf(std::span(table.begin(), table.size()));
+    }
 
     /// Refuses what is no list, or one with more elements than that.
     [[nodiscard]] std::size_t listSize(std::size_t atMost) const;
@@ -90,8 +94,8 @@ class JsonObject {
     std::vector<JsonNode> members_;
 };
 
-template <class Value>
-Value JsonNode::oneOf(std::initializer_list<std::pair<std::string_view, Value>> table) const {
+template <class Value, std::size_t size>
+Value JsonNode::oneOf(std::span<const std::pair<std::string_view, Value>, size> table) const {
     std::vector<std::string> words;
     for (const auto& [word, value] : table) {
         if (entry().kind == JsonKind::text && textOf(*tape_, index_) == word)
@@ -102,9 +106,13 @@ Value JsonNode::oneOf(std::initializer_list<std::pair<std::string_view, Value>> 
 }
 
 /// The word of a value in such a table, where it must be.
+template <class Value, std::size_t size>
+std::string_view wordOf(Value value, std::span<const std::pair<std::string_view, Value>, size> table) {
+    return std::ranges::find(table, value, &std::pair<std::string_view, Value>::second)->first;
+}
 template <class Value>
 std::string_view wordOf(Value value, std::initializer_list<std::pair<std::string_view, Value>> table) {
-    return std::ranges::find(table, value, &std::pair<std::string_view, Value>::second)->first;
+    return wordOf(value, std::span(table.begin(), table.size()));
 }
 
 template <class Visit>

@@ -33,10 +33,13 @@ constexpr std::string_view kAt = "plot-at";
 constexpr std::string_view kLegendLayer = "plot-legend";
 
 constexpr std::array kLayers{
-    LayerInfo{kGrid, Caption::grid},          LayerInfo{kNumbers, Caption::axisNumbers},
-    LayerInfo{kAxes, Caption::axes},          LayerInfo{kLines, Caption::lines},
-    LayerInfo{kGiven, Caption::points},       LayerInfo{kAt, Caption::placeOnView},
-    LayerInfo{kLegendLayer, Caption::legend},
+    LayerInfo{kGrid, translatable("Caption", "Grid")},
+    LayerInfo{kNumbers, translatable("Caption", "Numbers of the axes")},
+    LayerInfo{kAxes, translatable("Caption", "Axes")},
+    LayerInfo{kLines, translatable("Caption", "Lines")},
+    LayerInfo{kGiven, Caption::points},
+    LayerInfo{kAt, translatable("Caption", "Place on view")},
+    LayerInfo{kLegendLayer, translatable("Caption", "Legend")},
 };
 
 bool hasName(const PlotLine& line) {

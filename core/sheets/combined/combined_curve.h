@@ -13,9 +13,14 @@
 /// Source: Rossinsky, Kravchenko, Combined algorithm for constructing curves of arbitrary form (2014).
 namespace kriva {
 
+namespace limits {
+inline constexpr int kFitDegreeLow = 1;
+inline constexpr int kFitDegreeHigh = 9;
+} // namespace limits
+
 struct CombinedCurve {
     static constexpr std::string_view kSheet = "combined";
-    static constexpr Caption kCaption = Caption::combined;
+    static constexpr Caption kCaption = translatable("Caption", "Combined algorithm");
     static constexpr Capabilities kCapabilities{.animation = true, .longDrawing = true, .outputLimits = true};
     enum class Method { approximation, interpolation, pairs };
     enum class Basis { power, newton, lagrange, chebyshev };

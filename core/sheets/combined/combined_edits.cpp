@@ -1,7 +1,5 @@
-#include "core/sheets/combined/combined_edits.h"
-
 #include "core/curve/limits.h"
-#include "core/sheets/combined/combined_figure.h"
+#include "core/sheets/combined/combined.h"
 #include "core/sheets/combined/path_place.h"
 
 #include <algorithm>
@@ -77,21 +75,14 @@ bool isWithin(const CombinedCurve& curve, double limit) {
            });
 }
 
-std::optional<FileError> interpolationLimitError(const CombinedCurve& curve) {
-    if (curve.method != CombinedCurve::Method::interpolation)
-        return {};
-    std::size_t longest = 0;
-    for (const MonotoneRun& run : monotoneRuns(curve.points))
-        longest = std::max(longest, run.size());
-    if (longest <= limits::kControlPoints)
-        return {};
-    return errorOfFile(FileProblem::tooManyPointsInRun,
-                       {static_cast<double>(limits::kControlPoints), static_cast<double>(longest)});
-}
-
 std::optional<FileError> pointLimitError(const CombinedCurve& curve) {
-    if (std::optional<FileError> error = interpolationLimitError(curve))
-        return error;
+    std::size_t longest = 0;
+    if (curve.method == CombinedCurve::Method::interpolation)
+        for (const MonotoneRun& run : monotoneRuns(curve.points))
+            longest = std::max(longest, run.size());
+    if (longest > limits::kControlPoints)
+        return errorOfFile(FileProblem::tooManyPointsInRun,
+                           {static_cast<double>(limits::kControlPoints), static_cast<double>(longest)});
     return pointCountError(curve.points.size(), limits::kPointsInCurve);
 }
 

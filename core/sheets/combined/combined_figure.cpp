@@ -1,10 +1,7 @@
-#include "core/sheets/combined/combined_figure.h"
-
 #include "core/bezier/evaluate.h"
 #include "core/bezier/measures/curvature.h"
 #include "core/figure/labels.h"
 #include "core/sheets/combined/combined.h"
-#include "core/sheets/combined/combined_edits.h"
 
 #include <array>
 
@@ -15,15 +12,15 @@ namespace {
 enum Stage { kGiven, kRuns, kPolynomials, kJoins, kWhole };
 
 constexpr std::array kLayers{
-    LayerInfo{"given-polygon", Caption::givenPolygon},
-    LayerInfo{"run-polygons", Caption::runPolygons, false, true, kRuns},
-    LayerInfo{"polynomials", Caption::polynomials, false, true, kPolynomials},
+    LayerInfo{"given-polygon", translatable("Caption", "Polygon of the given points")},
+    LayerInfo{"run-polygons", translatable("Caption", "Polygons of runs"), false, true, kRuns},
+    LayerInfo{"polynomials", translatable("Caption", "Polynomials of runs"), false, true, kPolynomials},
     LayerInfo{kCurveLayer, Caption::curve, true, false, kWhole},
     LayerInfo{"runs", Caption::runs, true, true, kJoins},
     LayerInfo{"joins", Caption::joins, true, true, kJoins},
-    LayerInfo{"middle-points", Caption::middlePoints, true, true, kJoins},
+    LayerInfo{"middle-points", translatable("Caption", "Middle points of pairs"), true, true, kJoins},
     LayerInfo{"points", Caption::points},
-    LayerInfo{"run-numbers", Caption::runNumbers, true, true, kRuns},
+    LayerInfo{"run-numbers", translatable("Caption", "Numbers of runs"), true, true, kRuns},
     LayerInfo{"labels", Caption::labels, true, true},
 };
 

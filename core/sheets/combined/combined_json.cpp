@@ -1,8 +1,6 @@
-#include "core/sheets/combined/combined_json.h"
-
 #include "core/curve/json/style_json.h"
 #include "core/figure/labels.h"
-#include "core/sheets/combined/combined_edits.h"
+#include "core/sheets/combined/combined.h"
 
 namespace kriva {
 namespace {
@@ -24,7 +22,7 @@ std::string_view nameOf(Method method) {
 
 /// What depends on the points: only a complete curve promises it.
 void checkPoints(const JsonObject& object, const CombinedCurve& curve) {
-    if (const std::optional<FileError> error = interpolationLimitError(curve))
+    if (const std::optional<FileError> error = pointLimitError(curve))
         object.require("points").refuse(error->problem, error->numbers);
 }
 

@@ -1,8 +1,6 @@
-#include "core/sheets/combined/combined_report.h"
-
-#include "core/curve/limits.h"
+#include "core/curve/json/json_writer.h"
 #include "core/figure/labels.h"
-#include "core/sheets/combined/combined_json.h"
+#include "core/sheets/combined/combined.h"
 #include "core/sheets/combined/path_measures.h"
 
 namespace kriva {
@@ -83,10 +81,11 @@ std::optional<std::vector<Result>> results(const CombinedCurve& curve, WorkBudge
     for (std::size_t i = 0; i < combined->runs.size(); ++i) {
         const CombinedRun& run = combined->runs[i];
         const std::string index = decimal(static_cast<int>(i));
-        rows.push_back({Caption::runPoints, index, decimal(run.points.first) + "–" + decimal(run.points.last)});
-        rows.push_back({Caption::runDegree, index, run.degree});
+        rows.push_back({translatable("Caption", "Points of run"), index,
+                        decimal(run.points.first) + "–" + decimal(run.points.last)});
+        rows.push_back({translatable("Caption", "Degree of run"), index, run.degree});
         rows.push_back({Caption::runCoefficients, index, run.coefficients});
-        rows.push_back({Caption::rms, index, run.rms});
+        rows.push_back({translatable("Caption", "Residual (root mean square) of run"), index, run.rms});
         rows.push_back({Caption::maxError, index, run.maxError});
     }
     return rows;

@@ -1,19 +1,14 @@
-#include "core/sheets/elevation/elevation_edits.h"
-
 #include "core/bezier/elevate.h"
 #include "core/bezier/nearest.h"
 #include "core/bezier/pull.h"
 #include "core/bezier/reduce.h"
 #include "core/curve/limits.h"
+#include "core/sheets/elevation/elevation.h"
 
 #include <algorithm>
 #include <cassert>
 
 namespace kriva {
-
-std::vector<Grip> grips(const ElevationCurve& curve) {
-    return pointGrips(curve.points);
-}
 
 std::optional<FileError> pointLimitError(const ElevationCurve& curve) {
     return pointCountError(curve.points.size(), limits::kControlPoints);

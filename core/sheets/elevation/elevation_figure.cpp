@@ -1,19 +1,17 @@
-#include "core/sheets/elevation/elevation_figure.h"
-
 #include "core/bezier/elevate.h"
 #include "core/figure/labels.h"
-#include "core/sheets/elevation/elevation_edits.h"
+#include "core/sheets/elevation/elevation.h"
 #include "core/sheets/elevation/elevation_layers.h"
 
 namespace kriva {
 namespace {
 
 constexpr std::array kLayers{
-    LayerInfo{"convex-hull", Caption::convexHull, false, true},
-    LayerInfo{"all-polygons", Caption::allPolygons, false, true},
+    LayerInfo{"convex-hull", translatable("Caption", "Convex hull"), false, true},
+    LayerInfo{"all-polygons", translatable("Caption", "All polygons so far"), false, true},
     LayerInfo{"control-polygon", Caption::controlPolygon},
-    LayerInfo{"elevated-polygon", Caption::elevatedPolygon, true, true},
-    LayerInfo{"end-tangents", Caption::endTangents, false, true},
+    LayerInfo{"elevated-polygon", translatable("Caption", "Elevated polygon"), true, true},
+    LayerInfo{"end-tangents", translatable("Caption", "End tangents"), false, true},
     LayerInfo{kCurveLayer, Caption::curve},
     LayerInfo{"points", Caption::points},
     LayerInfo{"labels", Caption::labels, true, true},

@@ -1,6 +1,5 @@
-#include "core/sheets/elevation/elevation_json.h"
-
 #include "core/curve/json/style_json.h"
+#include "core/sheets/elevation/elevation.h"
 
 namespace kriva {
 

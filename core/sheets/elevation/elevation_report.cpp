@@ -1,7 +1,7 @@
-#include "core/sheets/elevation/elevation_report.h"
-
 #include "core/bezier/bounds.h"
 #include "core/bezier/measures/arc_length.h"
+#include "core/curve/json/json_writer.h"
+#include "core/sheets/elevation/elevation.h"
 
 namespace kriva {
 
@@ -26,7 +26,7 @@ std::optional<std::vector<Result>> results(const ElevationCurve& curve, WorkBudg
     return {{{Caption::degree, "", static_cast<int>(curve.points.size()) - 1},
              {Caption::length, "", arcLength(curve.points)},
              {Caption::bounds, "", tightBounds(curve.points)},
-             {Caption::elevatedDegree, "", static_cast<int>(elevation.polygon.size()) - 1},
+             {translatable("Caption", "Degree after elevation"), "", static_cast<int>(elevation.polygon.size()) - 1},
              {Caption::gap, "", elevation.gap}}};
 }
 

@@ -1,5 +1,6 @@
 #include "core/sheets/spline/spline_crossings.h"
 
+#include "core/curve/json/json_writer.h"
 #include "core/figure/labels.h"
 
 #include <algorithm>
@@ -91,7 +92,8 @@ std::optional<FileError> reportTogether(JsonWriter& json, std::span<const Spline
 Relations refusedRelations(WorkEnd end) {
     Relations relations;
     if (end == WorkEnd::tooMuchFound)
-        relations.results.push_back({Caption::passCount, "", MoreThan{static_cast<int>(limits::kPasses)}});
+        relations.results.push_back({translatable("Caption", "Passes through crossings and overlaps"), "",
+                                     MoreThan{static_cast<int>(limits::kPasses)}});
     else
         relations.results.push_back({Caption::crossingCount, "", Caption::tooManyToCount});
     relations.refusal = refusalFor(end);
@@ -112,7 +114,8 @@ std::optional<Relations> relationsOf(std::span<const SplineCurve* const> curves,
     for (std::size_t i = 0; i < std::min(crossings.places.size(), kMostListed); ++i)
         relations.results.push_back(
             {Caption::crossing, decimal(static_cast<int>(i)), passedPlace(crossings.places[i], curves.size() > 1)});
-    relations.results.push_back({Caption::overlapCount, "", static_cast<int>(crossings.overlaps.size())});
+    relations.results.push_back(
+        {translatable("Caption", "Overlaps of the sheet"), "", static_cast<int>(crossings.overlaps.size())});
     relations.figure.layers.push_back(crossingsLayer(curves, crossings));
     return relations;
 }

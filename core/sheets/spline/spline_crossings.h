@@ -1,11 +1,7 @@
 #pragma once
 
-#include "core/budget/work_budget.h"
-#include "core/curve/json/json_writer.h"
-#include "core/curve/limits.h"
-#include "core/curve/relations.h"
 #include "core/intersections/crossings.h"
-#include "core/sheets/spline/chain/spline.h"
+#include "core/sheets/spline/spline.h"
 
 namespace kriva {
 
@@ -14,14 +10,7 @@ namespace kriva {
 [[nodiscard]] std::optional<Crossings> crossingsOf(std::span<const SplineCurve* const> curves, WorkBudget& budget,
                                                    std::size_t mostPasses = limits::kPasses);
 
-/// The members of the sheet in the report after its curves; why there are none where the budget has ended.
-[[nodiscard]] std::optional<FileError> reportTogether(JsonWriter& json, std::span<const SplineCurve* const> curves,
-                                                      WorkBudget& budget);
-
-/// The same for people: how many crossings and where, and marks for those of curves that are shown. Nothing where the
-/// budget was stopped.
-[[nodiscard]] std::optional<Relations> relationsOf(std::span<const SplineCurve* const> curves, WorkBudget& budget);
-/// What they are where the search ended without being stopped: the reason, for people and for files.
+/// What a sheet has of them where the search ended without being stopped: the reason, for people and for files.
 [[nodiscard]] Relations refusedRelations(WorkEnd end);
 
 } // namespace kriva

@@ -1,11 +1,9 @@
-#include "core/sheets/spline/spline_figure.h"
-
 #include "core/bezier/evaluate.h"
 #include "core/figure/labels.h"
 #include "core/sheets/spline/editing/joins.h"
-#include "core/sheets/spline/editing/spline_edits.h"
 #include "core/sheets/spline/layers/curvature_comb.h"
 #include "core/sheets/spline/layers/spline_layers.h"
+#include "core/sheets/spline/spline.h"
 
 #include <algorithm>
 #include <array>
@@ -15,17 +13,17 @@ namespace kriva {
 namespace {
 
 constexpr std::array kLayers{
-    LayerInfo{"curvature-comb", Caption::curvatureComb, false, true},
+    LayerInfo{"curvature-comb", translatable("Caption", "Curvature comb"), false, true},
     LayerInfo{"all-rules", Caption::allRules, false, true},
     LayerInfo{"control-polygon", Caption::controlPolygon},
     LayerInfo{kCurveLayer, Caption::curve},
-    LayerInfo{"polyline", Caption::deCasteljauPolyline, false, true},
-    LayerInfo{"end-derivatives", Caption::endDerivatives, true, true},
-    LayerInfo{"handles", Caption::handles},
-    LayerInfo{"knots", Caption::knots},
-    LayerInfo{"inflections", Caption::inflections, false, true},
-    LayerInfo{"crossings", Caption::crossings, true, false, 0, true},
-    LayerInfo{"continuity", Caption::continuityBadges, false, true},
+    LayerInfo{"polyline", translatable("Caption", "De Casteljau polyline"), false, true},
+    LayerInfo{"end-derivatives", translatable("Caption", "End derivatives"), true, true},
+    LayerInfo{"handles", translatable("Caption", "Handles")},
+    LayerInfo{"knots", translatable("Caption", "Knots")},
+    LayerInfo{"inflections", translatable("Caption", "Inflections"), false, true},
+    LayerInfo{"crossings", translatable("Caption", "Crossings"), true, false, 0, true},
+    LayerInfo{"continuity", translatable("Caption", "Continuity at the knots"), false, true},
     LayerInfo{"labels", Caption::labels, true, true},
 };
 

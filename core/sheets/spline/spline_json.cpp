@@ -1,7 +1,6 @@
-#include "core/sheets/spline/spline_json.h"
-
 #include "core/curve/json/style_json.h"
 #include "core/figure/labels.h"
+#include "core/sheets/spline/spline.h"
 
 namespace kriva {
 namespace {
@@ -12,10 +11,12 @@ using Rule = SplineCurve::Rule;
 const std::initializer_list<std::pair<std::string_view, Join>> kJoins = {
     {"auto", Join::automatic}, {"symmetric", Join::symmetric}, {"smooth", Join::smooth}, {"corner", Join::corner}};
 
-const std::initializer_list<std::pair<std::string_view, Rule>> kRules = {{"mirror", Rule::mirror},
-                                                                         {"natural", Rule::natural},
-                                                                         {"clamped", Rule::clamped},
-                                                                         {"catmull-rom", Rule::catmullRom}};
+constexpr auto kRuleWords = [] {
+    std::array<std::pair<std::string_view, Rule>, kRules.size()> words;
+    for (std::size_t i = 0; i < kRules.size(); ++i)
+        words[i] = {kRules[i].word, kRules[i].rule};
+    return words;
+}();
 
 SplineKnot readKnot(const JsonNode& node) {
     const JsonObject object(node, {"at", "join", "in", "out"});
@@ -85,7 +86,7 @@ void readCurve(const JsonNode& node, SplineCurve& curve) {
     if (const JsonNode* degree = object.find("degree"))
         curve.degree = degree->wholeNumber(limits::kSplineDegreeLow, limits::kSplineDegreeHigh);
     if (const JsonNode* rule = object.find("rule"))
-        curve.rule = rule->oneOf(kRules);
+        curve.rule = rule->oneOf(std::span(kRuleWords));
     if (const JsonNode* closed = object.find("closed"))
         curve.closed = closed->trueOrFalse();
     if (const JsonNode* start = object.find("startDerivative"))
@@ -109,7 +110,7 @@ void writeCurve(JsonWriter& json, const SplineCurve& curve) {
     if (curve.degree != defaults.degree)
         json.member("degree", curve.degree);
     if (curve.rule != defaults.rule)
-        json.member("rule", wordOf(curve.rule, kRules));
+        json.member("rule", wordOf(curve.rule, std::span(kRuleWords)));
     if (curve.closed)
         json.member("closed", true);
     if (curve.startDerivative)

@@ -93,4 +93,20 @@ std::optional<double> largestCurvature(const SplineCurve& curve, WorkBudget& bud
     return largest;
 }
 
+std::vector<Vector> powerCoefficients(std::span<const Point> segment) {
+    std::vector<Vector> coefficients{segment.front() - Point{}};
+    std::vector<Vector> differences;
+    for (const Point p : segment)
+        differences.push_back(p - segment.front());
+    double binomial = 1;
+    for (std::size_t k = 1; k < segment.size(); ++k) {
+        const std::size_t left = segment.size() - k;
+        for (std::size_t i = 0; i < left; ++i)
+            differences[i] = differences[i + 1] - differences[i];
+        binomial *= static_cast<double>(left) / static_cast<double>(k);
+        coefficients.push_back(binomial * differences[0]);
+    }
+    return coefficients;
+}
+
 } // namespace kriva

@@ -1,7 +1,6 @@
-#include "core/sheets/spline/spline_report.h"
-
-#include "core/curve/limits.h"
+#include "core/curve/json/json_writer.h"
 #include "core/figure/labels.h"
+#include "core/sheets/spline/spline.h"
 #include "core/sheets/spline/spline_measures.h"
 
 namespace kriva {
@@ -41,7 +40,7 @@ std::optional<std::vector<Result>> results(const SplineCurve& curve, WorkBudget&
     std::vector<Result> rows{{Caption::degree, "", curve.degree},
                              {Caption::length, "", measures.length},
                              {Caption::bounds, "", measures.bounds},
-                             {Caption::curvatureExtrema, "", measures.curvatureExtrema},
+                             {translatable("Caption", "Extrema of the curvature"), "", measures.curvatureExtrema},
                              {Caption::bendingEnergy, "", measures.bendingEnergy}};
     for (std::size_t i = 0; i < measures.lengths.size(); ++i) {
         const std::string index = decimal(static_cast<int>(i));
@@ -50,27 +49,11 @@ std::optional<std::vector<Result>> results(const SplineCurve& curve, WorkBudget&
     }
     for (std::size_t i = 0; i < measures.chain.continuity.size(); ++i) {
         const Continuity continuity = measures.chain.continuity[i];
-        const Result::Value value =
-            continuity == Continuity::end ? Result::Value(Caption::openEnd) : std::string(nameOf(continuity));
-        rows.push_back({Caption::continuity, decimal(static_cast<int>(i)), value});
+        const Result::Value value = continuity == Continuity::end ? Result::Value(translatable("Caption", "open end"))
+                                                                  : std::string(nameOf(continuity));
+        rows.push_back({translatable("Caption", "Continuity at knot"), decimal(static_cast<int>(i)), value});
     }
     return rows;
-}
-
-std::vector<Vector> powerCoefficients(std::span<const Point> segment) {
-    std::vector<Vector> coefficients{segment.front() - Point{}};
-    std::vector<Vector> differences;
-    for (const Point p : segment)
-        differences.push_back(p - segment.front());
-    double binomial = 1;
-    for (std::size_t k = 1; k < segment.size(); ++k) {
-        const std::size_t left = segment.size() - k;
-        for (std::size_t i = 0; i < left; ++i)
-            differences[i] = differences[i + 1] - differences[i];
-        binomial *= static_cast<double>(left) / static_cast<double>(k);
-        coefficients.push_back(binomial * differences[0]);
-    }
-    return coefficients;
 }
 
 } // namespace kriva

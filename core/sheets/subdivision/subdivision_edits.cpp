@@ -1,9 +1,8 @@
-#include "core/sheets/subdivision/subdivision_edits.h"
-
 #include "core/bezier/elevate.h"
 #include "core/bezier/nearest.h"
 #include "core/bezier/pull.h"
 #include "core/curve/limits.h"
+#include "core/sheets/subdivision/subdivision.h"
 
 #include <algorithm>
 #include <cassert>
@@ -23,10 +22,6 @@ void fitBlossom(SubdivisionCurve& curve) {
 
 } // namespace
 
-std::vector<Grip> grips(const SubdivisionCurve& curve) {
-    return pointGrips(curve.points);
-}
-
 std::size_t derivedPointCount(const SubdivisionCurve& curve) {
     return isIncomplete(curve) ? 0 : controlPointCount(curve) << curve.levels;
 }
@@ -37,6 +32,10 @@ std::size_t mostPoints(const SubdivisionCurve& curve) {
     const std::size_t room = most > repetitions ? most - repetitions : 0;
     // What is still being drawn may stand beyond its limits until the next point comes.
     return isIncomplete(curve) ? std::max(room, curve.points.size()) : room;
+}
+
+std::optional<FileError> pointLimitError(const SubdivisionCurve& curve) {
+    return pointCountError(curve.points.size(), mostPoints(curve));
 }
 
 SubdivisionCurve withGripsMoved(const SubdivisionCurve& curve, std::span<const GripId> ids, Vector by) {

@@ -1,8 +1,6 @@
-#include "core/sheets/subdivision/subdivision_figure.h"
-
 #include "core/curve/limits.h"
 #include "core/figure/labels.h"
-#include "core/sheets/subdivision/subdivision_edits.h"
+#include "core/sheets/subdivision/subdivision.h"
 
 #include <algorithm>
 #include <array>
@@ -12,18 +10,18 @@ namespace {
 
 constexpr std::array kLayers{
     LayerInfo{"control-polygon", Caption::controlPolygon},
-    LayerInfo{"further-constructions", Caption::furtherConstructions, true, true},
+    LayerInfo{"further-constructions", translatable("Caption", "De Casteljau schemes at further t"), true, true},
     LayerInfo{"construction", Caption::construction, true, true},
-    LayerInfo{"pieces", Caption::pieces, true, true},
-    LayerInfo{"partial-curves", Caption::partialCurves, false, true},
+    LayerInfo{"pieces", translatable("Caption", "Pieces"), true, true},
+    LayerInfo{"partial-curves", translatable("Caption", "Curves of degree n − 1"), false, true},
     LayerInfo{"left", Caption::leftPolygon, true, true},
     LayerInfo{"right", Caption::rightPolygon, true, true},
     LayerInfo{kCurveLayer, Caption::curve},
     LayerInfo{"points", Caption::points},
-    LayerInfo{"curve-point", Caption::curvePoint, true, true},
+    LayerInfo{"curve-point", translatable("Caption", "Point of the curve"), true, true},
     LayerInfo{"blossom", Caption::blossom, true, true},
     LayerInfo{"labels", Caption::labels, true, true},
-    LayerInfo{"part-labels", Caption::partLabels, true, true},
+    LayerInfo{"part-labels", translatable("Caption", "Labels of left and right"), true, true},
 };
 
 /// The rows between the control polygon and the last point.

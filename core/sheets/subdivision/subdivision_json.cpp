@@ -1,7 +1,5 @@
-#include "core/sheets/subdivision/subdivision_json.h"
-
 #include "core/curve/json/style_json.h"
-#include "core/sheets/subdivision/subdivision_edits.h"
+#include "core/sheets/subdivision/subdivision.h"
 
 namespace kriva {
 namespace {

@@ -1,8 +1,7 @@
-#include "core/sheets/subdivision/subdivision_report.h"
-
 #include "core/bezier/bounds.h"
 #include "core/bezier/measures/arc_length.h"
-#include "core/curve/limits.h"
+#include "core/curve/json/json_writer.h"
+#include "core/sheets/subdivision/subdivision.h"
 
 #include <numeric>
 
@@ -59,10 +58,10 @@ std::optional<std::vector<Result>> results(const SubdivisionCurve& curve, WorkBu
                              {Caption::length, "", arcLength(subdivision.polygon)},
                              {Caption::bounds, "", tightBounds(subdivision.polygon)},
                              {Caption::pointAtT, "", pointAtT(subdivision)},
-                             {Caption::derivativeAtT, "", subdivision.derivative},
+                             {translatable("Caption", "Derivative at t"), "", subdivision.derivative},
                              {Caption::leftPolygon, "", subdivision.halves.left},
                              {Caption::rightPolygon, "", subdivision.halves.right},
-                             {Caption::pieceCount, "", 1 << curve.levels}};
+                             {translatable("Caption", "Number of pieces"), "", 1 << curve.levels}};
     if (subdivision.blossom)
         rows.push_back({Caption::blossom, "", *subdivision.blossom});
     return rows;

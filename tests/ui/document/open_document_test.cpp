@@ -1,6 +1,6 @@
 #include "core/curve/limits.h"
 #include "core/io/json/document_json.h"
-#include "core/sheets/subdivision/subdivision_edits.h"
+#include "core/sheets/subdivision/subdivision.h"
 #include "tests/support/long_run.h"
 #include "tests/support/sheet_curves.h"
 #include "ui/document/open_document.h"

@@ -1,6 +1,6 @@
 #include "core/sheets/combined/combined.h"
 #include "core/sheets/elevation/elevation.h"
-#include "core/sheets/spline/chain/spline.h"
+#include "core/sheets/spline/chain/spline_curve.h"
 #include "core/sheets/subdivision/subdivision.h"
 #include "ui/base/examples.h"
 #include "ui/base/language/language.h"

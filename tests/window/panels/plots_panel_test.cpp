@@ -48,7 +48,7 @@ class PlotsInEachTab : public PlotsPanelTest, public testing::WithParamInterface
     PlotsInEachTab()
         : PlotsPanelTest(GetParam()) {}
     [[nodiscard]] std::vector<PlotGroup> plotsNow() {
-        return withoutLimit([this](WorkBudget& budget) { return shell.sheets[sheet_].plots(curve(), budget); });
+        return withoutLimit([this](WorkBudget& budget) { return plotsOf(curve(), budget); });
     }
 };
 

@@ -1,5 +1,5 @@
 #include "core/io/svg/svg_writer.h"
-#include "core/sheets/combined/combined_figure.h"
+#include "core/sheets/combined/combined.h"
 #include "tests/support/panel_test.h"
 #include "tests/support/sheet_svg.h"
 #include "ui/controls/player.h"

@@ -1,4 +1,4 @@
-#include "core/sheets/elevation/elevation_edits.h"
+#include "core/sheets/elevation/elevation.h"
 #include "tests/support/panel_test.h"
 #include "ui/controls/player.h"
 #include "ui/panels/layers_panel.h"

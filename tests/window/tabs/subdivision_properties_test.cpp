@@ -1,5 +1,5 @@
 #include "core/document/sheet_figure.h"
-#include "core/sheets/subdivision/subdivision_edits.h"
+#include "core/sheets/subdivision/subdivision.h"
 #include "tests/support/panel_test.h"
 #include "ui/controls/player.h"
 #include "ui/tabs/properties/properties_panel.h"

@@ -45,13 +45,13 @@ constexpr std::size_t kMostValues = 16; ///< more than anyone reads
 
 } // namespace
 
-PlotsPanel::PlotsPanel(ShownSheet& sheet, Plots plots, QWidget* parent)
+PlotsPanel::PlotsPanel(ShownSheet& sheet, QWidget* parent)
     : QWidget(parent)
     , choice_(new KeptChoice(this))
     , export_(new QToolButton(this))
     , layout_(new QVBoxLayout(this))
-    , work_(sheet, [this, plots = std::move(plots)](const Curve* curve, WorkBudget& budget) -> CoalescingWorker::Take {
-        return [this, made = curve ? plots(*curve, budget) : std::nullopt] {
+    , work_(sheet, [this](const Curve* curve, WorkBudget& budget) -> CoalescingWorker::Take {
+        return [this, made = curve ? plotsOf(*curve, budget) : std::nullopt] {
             take(made.value_or(std::vector<PlotGroup>()));
         };
     }) {

@@ -15,10 +15,7 @@ namespace kriva::ui {
 class PlotsPanel : public QWidget, public WatchedPanel {
     Q_OBJECT
   public:
-    /// What a sheet has to tell of a curve in plots; called on any thread. Nothing where the budget has ended.
-    using Plots = std::function<std::optional<std::vector<PlotGroup>>(const Curve&, WorkBudget&)>;
-
-    PlotsPanel(ShownSheet& sheet, Plots plots, QWidget* parent = nullptr);
+    explicit PlotsPanel(ShownSheet& sheet, QWidget* parent = nullptr);
     void setWatched(bool isWatched) override;
 
   Q_SIGNALS:

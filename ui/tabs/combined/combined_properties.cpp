@@ -1,7 +1,6 @@
 #include "ui/tabs/combined/combined_properties.h"
 
-#include "core/curve/limits.h"
-#include "core/sheets/combined/combined_figure.h"
+#include "core/sheets/combined/combined.h"
 
 namespace kriva::ui {
 namespace {

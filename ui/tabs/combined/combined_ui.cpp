@@ -1,9 +1,7 @@
 #include "ui/tabs/combined/combined_ui.h"
 
-#include "core/curve/limits.h"
 #include "core/document/methods.h"
-#include "core/sheets/combined/views/combined_plots.h"
-#include "core/sheets/combined/views/combined_tables.h"
+#include "core/sheets/combined/combined.h"
 #include "ui/tabs/combined/combined_properties.h"
 
 namespace kriva::ui {
@@ -42,13 +40,11 @@ std::optional<std::vector<Table>> tablesOfCombined(const Curve& curve, WorkBudge
 } // namespace
 
 SheetUi combinedUi() {
-    return {QT_TRANSLATE_NOOP("Sheet", "Combined"),
-            [](SheetEditor& editor, QWidget* parent) { return new CombinedProperties(editor, parent); },
-            {},
-            degreeNumber(),
-            {},
-            [](const Curve& curve, WorkBudget& budget) { return plotsOf(std::get<CombinedCurve>(curve), budget); },
-            tablesOfCombined};
+    return {
+        .title = QT_TRANSLATE_NOOP("Sheet", "Combined"),
+        .makeProperties = [](SheetEditor& editor, QWidget* parent) { return new CombinedProperties(editor, parent); },
+        .number = degreeNumber(),
+        .tables = tablesOfCombined};
 }
 
 } // namespace kriva::ui

@@ -1,6 +1,6 @@
 #include "ui/tabs/elevation/elevation_actions.h"
 
-#include "core/sheets/elevation/elevation_edits.h"
+#include "core/sheets/elevation/elevation.h"
 #include "ui/editing/sheet_editor.h"
 
 #include <QCoreApplication>

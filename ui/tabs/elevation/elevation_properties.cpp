@@ -1,8 +1,7 @@
 #include "ui/tabs/elevation/elevation_properties.h"
 
-#include "core/curve/limits.h"
 #include "core/geometry/tolerance.h"
-#include "core/sheets/elevation/elevation_edits.h"
+#include "core/sheets/elevation/elevation.h"
 #include "ui/base/look/plain_label.h"
 #include "ui/panels/result_text.h"
 #include "ui/tabs/elevation/elevation_actions.h"

@@ -1,8 +1,6 @@
 #include "ui/tabs/elevation/elevation_ui.h"
 
-#include "core/curve/limits.h"
-#include "core/sheets/elevation/views/elevation_plots.h"
-#include "core/sheets/elevation/views/elevation_tables.h"
+#include "core/sheets/elevation/elevation.h"
 #include "ui/tabs/elevation/elevation_actions.h"
 #include "ui/tabs/elevation/elevation_properties.h"
 
@@ -29,14 +27,12 @@ SheetNumber timesNumber() {
 } // namespace
 
 SheetUi elevationUi() {
-    return {QT_TRANSLATE_NOOP("Sheet", "Elevation"),
-            [](SheetEditor& editor, QWidget* parent) { return new ElevationProperties(editor, parent); },
-            {},
-            timesNumber(),
-            elevationActions(),
-            [](const Curve& curve, WorkBudget& budget) { return plotsOf(std::get<ElevationCurve>(curve), budget); },
-            [](const Curve& curve, WorkBudget& budget) { return tablesOf(std::get<ElevationCurve>(curve), budget); },
-            {Role::derivedPolygon}};
+    return {
+        .title = QT_TRANSLATE_NOOP("Sheet", "Elevation"),
+        .makeProperties = [](SheetEditor& editor, QWidget* parent) { return new ElevationProperties(editor, parent); },
+        .number = timesNumber(),
+        .actions = elevationActions(),
+        .explained = {Role::derivedPolygon}};
 }
 
 } // namespace kriva::ui

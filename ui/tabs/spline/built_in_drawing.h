@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/budget/work_budget.h"
-#include "core/sheets/spline/chain/spline.h"
+#include "core/sheets/spline/chain/spline_curve.h"
 
 namespace kriva::ui {
 

@@ -1,9 +1,9 @@
 #include "ui/tabs/spline/spline_actions.h"
 
 #include "core/sheets/spline/editing/chain_edits.h"
-#include "core/sheets/spline/editing/handle_drag.h"
 #include "core/sheets/spline/editing/handle_edits.h"
 #include "core/sheets/spline/editing/joins.h"
+#include "core/sheets/spline/spline.h"
 #include "ui/editing/sheet_editor.h"
 
 #include <QCoreApplication>

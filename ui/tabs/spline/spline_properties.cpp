@@ -1,6 +1,5 @@
 #include "ui/tabs/spline/spline_properties.h"
 
-#include "core/curve/limits.h"
 #include "core/sheets/spline/editing/chain_edits.h"
 #include "core/sheets/spline/editing/joins.h"
 #include "ui/base/look/plain_label.h"
@@ -18,6 +17,12 @@ constexpr double kStepOfComb = 0.1;
 constexpr int kUsualPolylinePoints = 32; // more can hardly be told from the curve
 constexpr double kUsualCombs = 5;        // times the automatic scale: longer teeth leave the canvas
 
+/// In the order of kRules, which is that of the values.
+constexpr std::array kRuleTexts = {
+    QT_TRANSLATE_NOOP("Properties", "Mirror"), QT_TRANSLATE_NOOP("Properties", "Natural"),
+    QT_TRANSLATE_NOOP("Properties", "Clamped"), QT_TRANSLATE_NOOP("Properties", "Catmull–Rom")};
+static_assert(kRuleTexts.size() == kRules.size());
+
 const SplineCurve& valueOf(const Curve& curve) {
     return std::get<SplineCurve>(curve);
 }
@@ -30,9 +35,7 @@ SplineProperties::SplineProperties(SheetEditor& editor, QWidget* parent)
     , closed_(new QCheckBox(this))
     , comparison_(editor.workers(), [this] { return comparison(); }) {
     rule_ =
-        addChoice(QT_TRANSLATE_NOOP("Properties", "Rule"),
-                  {QT_TRANSLATE_NOOP("Properties", "Mirror"), QT_TRANSLATE_NOOP("Properties", "Natural"),
-                   QT_TRANSLATE_NOOP("Properties", "Clamped"), QT_TRANSLATE_NOOP("Properties", "Catmull–Rom")},
+        addChoice(QT_TRANSLATE_NOOP("Properties", "Rule"), {kRuleTexts.begin(), kRuleTexts.end()},
                   [](const Curve& curve, double rule) {
                       return Curve(withRule(valueOf(curve), static_cast<SplineCurve::Rule>(static_cast<int>(rule))));
                   },

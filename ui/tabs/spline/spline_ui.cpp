@@ -1,10 +1,8 @@
 #include "ui/tabs/spline/spline_ui.h"
 
-#include "core/curve/limits.h"
 #include "core/sheets/spline/editing/chain_edits.h"
 #include "core/sheets/spline/editing/joins.h"
-#include "core/sheets/spline/views/spline_plots.h"
-#include "core/sheets/spline/views/spline_tables.h"
+#include "core/sheets/spline/spline.h"
 #include "ui/tabs/spline/spline_actions.h"
 #include "ui/tabs/spline/spline_properties.h"
 
@@ -56,13 +54,11 @@ SheetNumber degreeNumber() {
 } // namespace
 
 SheetUi splineUi() {
-    return {QT_TRANSLATE_NOOP("Sheet", "Spline"),
-            [](SheetEditor& editor, QWidget* parent) { return new SplineProperties(editor, parent); },
-            {joinColumn()},
-            degreeNumber(),
-            splineActions(),
-            [](const Curve& curve, WorkBudget& budget) { return plotsOf(std::get<SplineCurve>(curve), budget); },
-            [](const Curve& curve, WorkBudget& budget) { return tablesOf(std::get<SplineCurve>(curve), budget); }};
+    return {.title = QT_TRANSLATE_NOOP("Sheet", "Spline"),
+            .makeProperties = [](SheetEditor& editor, QWidget* parent) { return new SplineProperties(editor, parent); },
+            .pointColumns = {joinColumn()},
+            .number = degreeNumber(),
+            .actions = splineActions()};
 }
 
 } // namespace kriva::ui

@@ -1,6 +1,6 @@
 #include "ui/tabs/subdivision/subdivision_actions.h"
 
-#include "core/sheets/subdivision/subdivision_edits.h"
+#include "core/sheets/subdivision/subdivision.h"
 #include "ui/editing/sheet_editor.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 #include "ui/tabs/subdivision/subdivision_properties.h"
 
 #include "core/curve/limits.h"
-#include "core/sheets/subdivision/subdivision_edits.h"
+#include "core/sheets/subdivision/subdivision.h"
 #include "ui/base/language/number_text.h"
 #include "ui/tabs/subdivision/subdivision_actions.h"
 

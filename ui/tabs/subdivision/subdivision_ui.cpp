@@ -1,8 +1,6 @@
 #include "ui/tabs/subdivision/subdivision_ui.h"
 
-#include "core/sheets/subdivision/subdivision_edits.h"
-#include "core/sheets/subdivision/views/subdivision_plots.h"
-#include "core/sheets/subdivision/views/subdivision_tables.h"
+#include "core/sheets/subdivision/subdivision.h"
 #include "ui/base/language/number_text.h"
 #include "ui/tabs/subdivision/subdivision_actions.h"
 #include "ui/tabs/subdivision/subdivision_properties.h"
@@ -50,14 +48,13 @@ SheetNumber levelsNumber() {
 } // namespace
 
 SheetUi subdivisionUi() {
-    return {QT_TRANSLATE_NOOP("Sheet", "Subdivision"),
-            [](SheetEditor& editor, QWidget* parent) { return new SubdivisionProperties(editor, parent); },
-            {multiplicityColumn()},
-            levelsNumber(),
-            subdivisionActions(),
-            [](const Curve& curve, WorkBudget& budget) { return plotsOf(std::get<SubdivisionCurve>(curve), budget); },
-            [](const Curve& curve, WorkBudget& budget) { return tablesOf(std::get<SubdivisionCurve>(curve), budget); },
-            {Role::construction, Role::left, Role::right, Role::curvePoint}};
+    return {.title = QT_TRANSLATE_NOOP("Sheet", "Subdivision"),
+            .makeProperties = [](SheetEditor& editor,
+                                 QWidget* parent) { return new SubdivisionProperties(editor, parent); },
+            .pointColumns = {multiplicityColumn()},
+            .number = levelsNumber(),
+            .actions = subdivisionActions(),
+            .explained = {Role::construction, Role::left, Role::right, Role::curvePoint}};
 }
 
 } // namespace kriva::ui

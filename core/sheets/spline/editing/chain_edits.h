@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/curve/editing/edited.h"
-#include "core/sheets/spline/chain/spline.h"
+#include "core/sheets/spline/chain/spline_curve.h"
 
 /// The edits of a whole chain that only splines have. See joins.h for those of single knots.
 namespace kriva {
@@ -22,14 +22,5 @@ namespace kriva {
 /// change of the segment's two handles (in the sum of squares); they keep the promises of their joins, and automatic
 /// knots become symmetric. A chain of parabolas stays as it is.
 [[nodiscard]] SplineCurve withSegmentPulled(const SplineCurve& curve, int segment, double t, Vector by);
-
-/// One more knot where the chain is nearest to the point; nothing while it is incomplete. See withKnotInserted.
-[[nodiscard]] std::optional<Edited<SplineCurve>> withPointInserted(const SplineCurve& curve, Point near);
-/// One more knot in the middle of the segment behind a knot, of the one before the last knot of an open chain, or of
-/// the longest one where no knot is named; nothing while the chain is incomplete. See withKnotInserted.
-[[nodiscard]] std::optional<Edited<SplineCurve>> withPointInsertedBehind(const SplineCurve& curve,
-                                                                         std::optional<int> knot);
-/// The chain pulled where it is nearest to `from`; nothing where it gives way to no pull. See withSegmentPulled.
-[[nodiscard]] std::optional<SplineCurve> withCurvePulled(const SplineCurve& curve, Point from, Vector by);
 
 } // namespace kriva

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sheets/spline/chain/spline.h"
+#include "core/sheets/spline/chain/spline_curve.h"
 
 /// Edits of the handles of many knots at once (indices in any order). Sides that no segment uses stay as they are; so
 /// do parabolas, which have no handles. Each O(n).

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sheets/spline/chain/spline.h"
+#include "core/sheets/spline/chain/spline_curve.h"
 
 /// The handles of knots as a person edits them, and the promises of the joins. Degrees 4 and 5 show the handles of the
 /// cubic that they are raised from; parabolas have none.

@@ -16,10 +16,6 @@ constexpr double kAtKnot = 1e-7;
 /// A curvature below this, by the length of the polygon, is none.
 constexpr double kStraight = 1e-7;
 
-constexpr std::array kRules{SplineCurve::Rule::mirror, SplineCurve::Rule::natural, SplineCurve::Rule::clamped,
-                            SplineCurve::Rule::catmullRom};
-constexpr std::array kRuleNames{Caption::mirror, Caption::natural, Caption::clamped, Caption::catmullRom};
-
 int signOf(double number) {
     return number > 0 ? 1 : number < 0 ? -1 : 0;
 }
@@ -93,15 +89,16 @@ Layer allRulesLayer(const SplineCurve& curve) {
     if (curve.degree == 2)
         return layer;
     std::vector<std::vector<Points>> chains;
-    for (const SplineCurve::Rule rule : kRules) {
+    for (const NamedRule& named : kRules) {
         SplineCurve ruled = curve;
-        ruled.rule = rule;
+        ruled.rule = named.rule;
         chains.push_back(segmentsOf(ruled));
     }
     for (std::size_t i = 0; i < chains.size(); ++i) {
         const int series = static_cast<int>(i);
         layer.strokes.push_back({chain(chains[i], curve.closed), Role::rule, series, kFaint});
-        layer.labels.push_back({evaluate(chains[i][loneliest(i, chains)], 0.5), kRuleNames[i], "", "", Role::label});
+        layer.labels.push_back(
+            {evaluate(chains[i][loneliest(i, chains)], 0.5), kRules[i].caption, "", "", Role::label});
     }
     return layer;
 }

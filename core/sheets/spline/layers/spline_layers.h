@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/figure/figure.h"
-#include "core/sheets/spline/chain/spline.h"
+#include "core/sheets/spline/chain/spline_curve.h"
 
 /// The layers of a spline that are made only where they are shown.
 namespace kriva {

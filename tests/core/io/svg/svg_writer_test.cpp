@@ -19,8 +19,9 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const TextSource kWriterTexts{[](Caption caption) { return caption == Caption::elevation ? "Elevation" : "Word"; },
-                              [](double, int) { return std::string(); }, "en"};
+const TextSource kWriterTexts{
+    [](Caption caption) { return caption == ElevationCurve::kCaption ? "Elevation" : "Word"; },
+    [](double, int) { return std::string(); }, "en"};
 
 Document documentOf(std::vector<Points> polygons) {
     Document document;

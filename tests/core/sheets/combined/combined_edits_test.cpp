@@ -1,7 +1,6 @@
 #include "core/bezier/evaluate.h"
 #include "core/curve/limits.h"
 #include "core/sheets/combined/combined.h"
-#include "core/sheets/combined/combined_edits.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,6 +1,5 @@
 #include "core/document/sheet_figure.h"
 #include "core/sheets/combined/combined.h"
-#include "core/sheets/combined/combined_figure.h"
 #include "tests/support/sheet_curves.h"
 
 #include <algorithm>

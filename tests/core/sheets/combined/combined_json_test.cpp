@@ -1,6 +1,6 @@
 #include "core/figure/labels.h"
 #include "core/io/json/document_json.h"
-#include "core/sheets/combined/combined_json.h"
+#include "core/sheets/combined/combined.h"
 #include "tests/support/sheet_curves.h"
 
 #include <gtest/gtest.h>

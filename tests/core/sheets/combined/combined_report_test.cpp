@@ -1,8 +1,7 @@
-#include "core/curve/limits.h"
 #include "core/document/document.h"
 #include "core/document/limit_check.h"
 #include "core/document/report.h"
-#include "core/sheets/combined/combined_report.h"
+#include "core/sheets/combined/combined.h"
 #include "tests/support/sheet_curves.h"
 
 #include <gtest/gtest.h>

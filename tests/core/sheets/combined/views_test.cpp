@@ -1,6 +1,5 @@
 #include "core/sheets/combined/combined.h"
-#include "core/sheets/combined/views/combined_plots.h"
-#include "core/sheets/combined/views/combined_tables.h"
+#include "core/sheets/spline/spline_measures.h"
 #include "tests/support/unlimited.h"
 
 #include <gtest/gtest.h>

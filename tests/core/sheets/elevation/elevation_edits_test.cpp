@@ -1,6 +1,6 @@
 #include "core/bezier/elevate.h"
 #include "core/curve/limits.h"
-#include "core/sheets/elevation/elevation_edits.h"
+#include "core/sheets/elevation/elevation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "core/bezier/elevate.h"
 #include "core/bezier/evaluate.h"
-#include "core/sheets/elevation/elevation_figure.h"
+#include "core/sheets/elevation/elevation.h"
 #include "core/sheets/elevation/elevation_layers.h"
 #include "tests/support/any_curve.h"
 

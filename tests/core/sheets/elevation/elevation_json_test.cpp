@@ -1,4 +1,4 @@
-#include "core/sheets/elevation/elevation_json.h"
+#include "core/sheets/elevation/elevation.h"
 #include "tests/support/any_curve.h"
 #include "tests/support/documents.h"
 

@@ -1,4 +1,4 @@
-#include "core/sheets/elevation/elevation_report.h"
+#include "core/sheets/elevation/elevation.h"
 #include "tests/support/documents.h"
 
 #include <gtest/gtest.h>

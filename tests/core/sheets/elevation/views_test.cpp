@@ -1,5 +1,4 @@
-#include "core/sheets/elevation/views/elevation_plots.h"
-#include "core/sheets/elevation/views/elevation_tables.h"
+#include "core/sheets/elevation/elevation.h"
 #include "tests/support/unlimited.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 #include "core/document/sheet_figure.h"
-#include "core/sheets/spline/editing/spline_edits.h"
-#include "core/sheets/spline/spline_figure.h"
+#include "core/sheets/spline/spline.h"
 #include "tests/core/sheets/spline/spline_values.h"
 #include "tests/support/sheet_curves.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sheets/spline/chain/spline.h"
+#include "core/sheets/spline/chain/spline_curve.h"
 #include "tests/support/any_curve.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "core/bezier/evaluate.h"
+#include "core/bezier/measures/curvature.h"
+#include "core/sheets/spline/spline.h"
 #include "core/sheets/spline/spline_measures.h"
-#include "core/sheets/spline/views/spline_plots.h"
-#include "core/sheets/spline/views/spline_tables.h"
 #include "tests/support/unlimited.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sheets/subdivision/subdivision_edits.h"
+#include "core/sheets/subdivision/subdivision.h"
 #include "tests/support/any_curve.h"
 
 #include <rapidcheck.h>

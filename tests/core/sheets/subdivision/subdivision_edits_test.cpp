@@ -1,6 +1,6 @@
 #include "core/curve/limits.h"
 #include "core/geometry/box.h"
-#include "core/sheets/subdivision/subdivision_edits.h"
+#include "core/sheets/subdivision/subdivision.h"
 #include "tests/core/sheets/subdivision/any_subdivision.h"
 
 #include <gtest/gtest.h>

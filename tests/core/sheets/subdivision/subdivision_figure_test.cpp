@@ -1,4 +1,4 @@
-#include "core/sheets/subdivision/subdivision_figure.h"
+#include "core/sheets/subdivision/subdivision.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/sheets/subdivision/subdivision_json.h"
+#include "core/sheets/subdivision/subdivision.h"
 #include "tests/core/sheets/subdivision/any_subdivision.h"
 #include "tests/support/documents.h"
 

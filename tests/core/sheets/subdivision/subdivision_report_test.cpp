@@ -1,6 +1,5 @@
-#include "core/curve/limits.h"
 #include "core/document/report.h"
-#include "core/sheets/subdivision/subdivision_report.h"
+#include "core/sheets/subdivision/subdivision.h"
 #include "tests/support/documents.h"
 
 #include <gtest/gtest.h>

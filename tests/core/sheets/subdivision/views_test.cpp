@@ -1,6 +1,5 @@
 #include "core/bezier/evaluate.h"
-#include "core/sheets/subdivision/views/subdivision_plots.h"
-#include "core/sheets/subdivision/views/subdivision_tables.h"
+#include "core/sheets/subdivision/subdivision.h"
 #include "tests/support/unlimited.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "core/sheets/spline/editing/spline_edits.h"
 #include "core/sheets/spline/layers/spline_layers.h"
+#include "core/sheets/spline/spline.h"
 #include "tests/core/sheets/spline/spline_values.h"
 
 namespace kriva {
