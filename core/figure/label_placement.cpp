@@ -152,11 +152,12 @@ Vector bestDirection(const PlacedLabel& label, Point point, Vector wanted, const
 
 std::vector<Label> withoutRepetition(const std::vector<Label>& labels) {
     std::vector<Label> different;
-    std::set<std::tuple<double, double, Caption, double, std::string_view, std::string_view, std::string_view>> known;
+    std::set<std::tuple<double, double, std::string_view, double, std::string_view, std::string_view, std::string_view>>
+        known;
     for (const Label& label : labels)
         if (known
-                .emplace(label.at.x, label.at.y, label.caption, label.number ? label.number->value : 0, label.text,
-                         label.subscript, label.suffix)
+                .emplace(label.at.x, label.at.y, label.caption.words(), label.number ? label.number->value : 0,
+                         label.text, label.subscript, label.suffix)
                 .second)
             different.push_back(label);
     return different;

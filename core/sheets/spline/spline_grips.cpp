@@ -1,5 +1,5 @@
 #include "core/sheets/spline/editing/joins.h"
-#include "core/sheets/spline/editing/spline_edits.h"
+#include "core/sheets/spline/spline.h"
 
 #include <algorithm>
 
