@@ -1275,8 +1275,8 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Показва раздел</translation>
     </message>
     <message>
-        <source>Alt+1 … Alt+4</source>
-        <translation>Alt+1 … Alt+4</translation>
+        <source>Alt+1 … Alt+%1</source>
+        <translation>Alt+1 … Alt+%1</translation>
     </message>
     <message>
         <source>Next tab</source>

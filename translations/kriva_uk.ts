@@ -1276,8 +1276,8 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>Показати вкладку</translation>
     </message>
     <message>
-        <source>Alt+1 … Alt+4</source>
-        <translation>Alt+1 … Alt+4</translation>
+        <source>Alt+1 … Alt+%1</source>
+        <translation>Alt+1 … Alt+%1</translation>
     </message>
     <message>
         <source>Next tab</source>

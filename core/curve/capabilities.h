@@ -11,6 +11,7 @@ struct Capabilities {
     bool animation = false;    ///< its algorithm runs in stages or over t: IsAnimated
     bool relations = false;    ///< curves have something with each other: HasRelations
     bool longDrawing = false;  ///< what is drawn takes long, so that it can be stopped: DrawsWithinBudget
+    bool viewSettings = false; ///< its figure can be changed by numbers of the view: HasViewSettings
     bool outputLimits = false; ///< reports or files of figures have limits of its own: LimitsOutput
 };
 

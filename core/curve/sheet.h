@@ -11,6 +11,7 @@
 #include "core/curve/table.h"
 #include "core/figure/plot/plot.h"
 #include "core/figure/style/frame_place.h"
+#include "core/figure/style/view_setting.h"
 
 #include <concepts>
 
@@ -148,6 +149,12 @@ concept DrawsWithinBudget = requires(const C& curve, const FigureContext& contex
     { drawn(curve, context, budget) } -> std::same_as<std::optional<DrawnCurve>>;
 };
 
+/// What the view of its sheet has besides layers. No other sheet has one of the same name.
+template <class C>
+concept HasViewSettings = requires(const C& curve) {
+    { viewSettingsOf(curve) } -> std::same_as<std::span<const ViewSetting>>;
+};
+
 /// Why all curves of a sheet together take too long; nothing where they do not. The error has no place.
 template <class C>
 concept LimitsOutput = requires(std::span<const C* const> curves, Output output) {
@@ -185,6 +192,10 @@ consteval bool isSheet() {
         static_assert(DrawsWithinBudget<C>);
     else
         static_assert(!DrawsWithinBudget<C>, "kCapabilities does not name longDrawing");
+    if constexpr (C::kCapabilities.viewSettings)
+        static_assert(HasViewSettings<C>);
+    else
+        static_assert(!HasViewSettings<C>, "kCapabilities does not name viewSettings");
     if constexpr (C::kCapabilities.outputLimits)
         static_assert(LimitsOutput<C>);
     else

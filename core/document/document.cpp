@@ -3,6 +3,7 @@
 #include "core/curve/limits.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace kriva {
 namespace {
@@ -30,6 +31,17 @@ Caption captionOf(SheetIndex sheet) {
 
 std::span<const LayerInfo> layersOf(SheetIndex sheet) {
     return std::visit([](const auto& c) { return layersOf(c); }, emptyCurve(sheet));
+}
+
+std::vector<ViewSetting> viewSettings() {
+    std::vector<ViewSetting> all;
+    const auto add = [&]<class C>(const C& curve) {
+        if constexpr (C::kCapabilities.viewSettings)
+            std::ranges::copy(viewSettingsOf(curve), std::back_inserter(all));
+    };
+    for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet)
+        std::visit(add, emptyCurve(sheet));
+    return all;
 }
 
 bool sameContent(const Document& a, const Document& b) {

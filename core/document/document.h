@@ -28,6 +28,9 @@ struct Document {
 [[nodiscard]] Caption captionOf(SheetIndex sheet);
 [[nodiscard]] std::span<const LayerInfo> layersOf(SheetIndex sheet);
 
+/// The settings of the views of all sheets. The view of any sheet may hold any of them in a document.
+[[nodiscard]] std::vector<ViewSetting> viewSettings();
+
 /// The curves of a sheet of this kind.
 template <class C>
 [[nodiscard]] std::vector<const C*> curvesOf(const Sheet& sheet) {

@@ -30,7 +30,17 @@ def floors(text):
 
 
 def room_of(path, heights):
-    return next((room for room in heights if path.startswith(room + "/")), None)
+    for room in heights:
+        if not room.endswith("/") and path.startswith(room + "/"):
+            return room
+        folder = path[len(room):].split("/")[:-1]
+        if room.endswith("/") and path.startswith(room) and folder:
+            return room + folder[0]
+    return None
+
+
+def height_of(room, heights):
+    return heights[room if room in heights else folder_of(room) + "/"]
 
 
 def folder_of(path):
@@ -47,7 +57,7 @@ def room_faults(files, heights):
         if room_of(path, heights) is None:
             yield f"{path}: stands in no room of floors.txt"
     for room in heights:
-        if not any(path.startswith(room + "/") for path in files):
+        if not any(path.startswith(room.rstrip("/") + "/") for path in files):
             yield f"floors.txt: {room} is no folder with sources"
 
 
@@ -62,8 +72,8 @@ def include_faults(files, heights):
             other = room_of(included, heights)
             if included not in files:
                 yield f'{path}: includes "{included}", which is no file counted from the project\'s folder'
-            elif room and other and other != room and heights[other] >= heights[room]:
-                where = "above" if heights[other] > heights[room] else "beside"
+            elif room and other and other != room and height_of(other, heights) >= height_of(room, heights):
+                where = "above" if height_of(other, heights) > height_of(room, heights) else "beside"
                 yield f"{path}: includes {included}, and {other} stands {where} {room}"
 
 

@@ -12,7 +12,7 @@ HEIGHTS = check.floors("""
 app
 ui/panels ui/export
 ui/canvas
-core/sheets/spline core/sheets/combined
+core/sheets/
 core/geometry core/numbers
 """)
 BANNED = (check.HERE / "banned.txt").read_text(encoding="utf-8")

@@ -81,8 +81,9 @@ inline rc::Gen<Document> anyDocument() {
             document.sheets[3].curves.emplace_back(runs);
         }
         document.sheets[0].view.layers["labels"] = *rc::gen::arbitrary<bool>();
-        document.sheets[1].view.parameters =
-            *rc::gen::elementOf(std::vector<std::vector<double>>{{}, {0.5}, {1.0 / 3, 5e-324}});
+        document.sheets[1].view =
+            withNumbers({}, kFurtherParameters,
+                        *rc::gen::elementOf(std::vector<std::vector<double>>{{}, {0.5}, {1.0 / 3, 5e-324}}));
         FigureFileOptions written;
         written.format = *rc::gen::element(FigureFormat::svg, FigureFormat::pdf, FigureFormat::png, FigureFormat::tikz,
                                            FigureFormat::csv);
@@ -107,8 +108,8 @@ inline rc::Gen<Document> anyDocument() {
         written.frameSeconds = *rc::gen::element(0.5, 0.01, 60.0);
         if (*rc::gen::arbitrary<bool>())
             document.sheets[1].view.exported = written;
-        document.sheets[2].view.polylinePoints = *rc::gen::element(2, 8, 100);
-        document.sheets[2].view.combScale = *rc::gen::element(1.0, 0.01, 2.0 / 3, 100.0);
+        const SheetView withPoints = withNumbers({}, kPolylinePoints, {*rc::gen::element(2.0, 8.0, 100.0)});
+        document.sheets[2].view = withNumbers(withPoints, kCombScale, {*rc::gen::element(1.0, 0.01, 2.0 / 3, 100.0)});
         return document;
     });
 }

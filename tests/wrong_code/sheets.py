@@ -12,7 +12,8 @@ import sys
 import unittest
 
 ROOT = pathlib.Path(__file__).parent.parent.parent
-CAPABILITIES = ("handles", "closing", "pieces", "animation", "relations", "longDrawing", "outputLimits")
+CAPABILITIES = ("handles", "closing", "pieces", "animation", "relations", "longDrawing", "viewSettings",
+                "outputLimits")
 
 MEMBERS = {
     "kSheet": 'static constexpr std::string_view kSheet = "sheet";',
@@ -73,6 +74,7 @@ OF_CAPABILITIES = {
             "std::optional<FileError> reportTogether(JsonWriter&, std::span<const Sheet* const>, WorkBudget&);",
     },
     "longDrawing": {"drawn": "std::optional<DrawnCurve> drawn(const Sheet&, const FigureContext&, WorkBudget&);"},
+    "viewSettings": {"viewSettingsOf": "std::span<const ViewSetting> viewSettingsOf(const Sheet&);"},
     "outputLimits": {
         "outputLimitError": "std::optional<FileError> outputLimitError(std::span<const Sheet* const>, Output);",
     },

@@ -112,6 +112,14 @@ void OpenDocument::setLayerShown(SheetIndex sheet, std::string_view layer, bool 
     Q_EMIT viewChanged(sheet);
 }
 
+void OpenDocument::setViewNumbers(SheetIndex sheet, const ViewSetting& setting, std::vector<double> numbers) {
+    SheetView view = withNumbers(present_.view(sheet), setting, std::move(numbers));
+    if (view == present_.view(sheet))
+        return;
+    present_.view(sheet) = std::move(view);
+    Q_EMIT viewChanged(sheet);
+}
+
 void OpenDocument::undo() {
     endGesture();
     group_.undo();

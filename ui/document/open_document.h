@@ -69,13 +69,9 @@ class OpenDocument : public QObject, private SerialDocument {
     void setActiveCurve(SheetIndex sheet, Serial serial);
     void setCurveShown(SheetIndex sheet, Serial serial, bool isShown);
     void setLayerShown(SheetIndex sheet, std::string_view layer, bool isShown);
-    void setCombScale(SheetIndex sheet, double scale) { setOfView(sheet, &SheetView::combScale, scale); }
-    void setPolylinePoints(SheetIndex sheet, int points) { setOfView(sheet, &SheetView::polylinePoints, points); }
+    void setViewNumbers(SheetIndex sheet, const ViewSetting& setting, std::vector<double> numbers);
     /// Tells nobody: nothing looks different.
     void setExported(SheetIndex sheet, const FigureFileOptions& options) { view(sheet).exported = options; }
-    void setParameters(SheetIndex sheet, std::vector<double> parameters) {
-        setOfView(sheet, &SheetView::parameters, std::move(parameters));
-    }
 
     [[nodiscard]] QUndoStack& history(SheetIndex sheet) { return *histories_[sheet]; }
     [[nodiscard]] QUndoGroup& histories() { return group_; }
@@ -109,12 +105,6 @@ class OpenDocument : public QObject, private SerialDocument {
         bool isBurst = false;
     };
 
-    /// Tells where it was another value.
-    template <class Value>
-    void setOfView(SheetIndex sheet, Value SheetView::*member, Value value) {
-        if (std::exchange(view(sheet).*member, value) != value)
-            Q_EMIT viewChanged(sheet);
-    }
     /// As SerialDocument does, told once for all of them; gives what takes it back.
     std::vector<CurveExchange> exchange(SheetIndex sheet, std::vector<CurveExchange> others);
     void push(SheetIndex sheet, std::vector<CurveExchange> others, const StepLabel& label);

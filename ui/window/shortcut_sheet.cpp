@@ -31,14 +31,19 @@ void add(ShortcutGroup& group, const QList<QAction*>& actions, const QList<QActi
     }
 }
 
+[[nodiscard]] QString keysOf(const Gesture& gesture) {
+    if (!gesture.keys)
+        return gesture.sequence.toString(QKeySequence::NativeText);
+    const QString keys = QCoreApplication::translate("Gestures", gesture.keys);
+    return gesture.number > 0 ? keys.arg(gesture.number) : keys;
+}
+
 void addGestures(std::vector<ShortcutGroup>& sheet) {
     for (const GestureGroup& gestures : gestureTable()) {
         ShortcutGroup& group = sheet.emplace_back();
         group.title = QCoreApplication::translate("Gestures", gestures.title);
         for (const Gesture& gesture : gestures.gestures)
-            group.rows.push_back({QCoreApplication::translate("Gestures", gesture.what),
-                                  gesture.keys ? QCoreApplication::translate("Gestures", gesture.keys)
-                                               : gesture.sequence.toString(QKeySequence::NativeText)});
+            group.rows.push_back({QCoreApplication::translate("Gestures", gesture.what), keysOf(gesture)});
     }
 }
 

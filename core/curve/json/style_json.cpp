@@ -3,6 +3,8 @@
 #include "core/curve/json/figure_options_json.h"
 #include "core/figure/style/color.h"
 
+#include <utility>
+
 namespace kriva {
 namespace {
 
@@ -13,6 +15,18 @@ const std::initializer_list<std::pair<std::string_view, LineDash>> kDashes = {{"
 
 const std::initializer_list<std::pair<std::string_view, Marker>> kMarkers = {
     {"none", Marker::none}, {"circle", Marker::circle}, {"square", Marker::square}, {"diamond", Marker::diamond}};
+
+std::vector<double> readNumbers(const JsonNode& node, const ViewSetting& setting) {
+    if (setting.mostNumbers == 0 && setting.isWhole)
+        return {static_cast<double>(node.wholeNumber(static_cast<int>(setting.least), static_cast<int>(setting.most)))};
+    if (setting.mostNumbers == 0)
+        return {node.number(setting.least, setting.most)};
+    std::vector<double> numbers;
+    numbers.reserve(node.listSize(setting.mostNumbers));
+    node.forEachElement(
+        [&](const JsonNode& number) { numbers.push_back(number.numberBetween(setting.least, setting.most)); });
+    return numbers;
+}
 
 } // namespace
 
@@ -39,9 +53,12 @@ void readView(const JsonNode& node, CurveView& view) {
         view.isShown = shown->trueOrFalse();
 }
 
-void readView(const JsonNode& node, SheetView& view, std::span<const std::string_view> layers) {
-    const JsonObject object(
-        node, {"activeCurve", "layers", "mmPerUnit", "combScale", "polylinePoints", "parameters", "export"});
+void readView(const JsonNode& node, SheetView& view, std::span<const std::string_view> layers,
+              std::span<const ViewSetting> settings) {
+    std::vector<std::string_view> keys{"activeCurve", "layers", "mmPerUnit", "export"};
+    for (const ViewSetting& setting : settings)
+        keys.push_back(setting.name);
+    const JsonObject object(node, keys);
     if (const JsonNode* active = object.find("activeCurve"))
         view.activeCurve = active->wholeNumber(0, static_cast<int>(limits::kCurvesInSheet) - 1);
     if (const JsonNode* shown = object.find("layers")) {
@@ -52,14 +69,9 @@ void readView(const JsonNode& node, SheetView& view, std::span<const std::string
     }
     if (const JsonNode* scale = object.find("mmPerUnit"))
         view.mmPerUnit = scale->number(kLeastScale, kMostScale);
-    if (const JsonNode* scale = object.find("combScale"))
-        view.combScale = scale->number(kLeastCombScale, kMostCombScale);
-    if (const JsonNode* points = object.find("polylinePoints"))
-        view.polylinePoints = points->wholeNumber(kLeastPolylinePoints, kMostPolylinePoints);
-    if (const JsonNode* parameters = object.find("parameters")) {
-        view.parameters.reserve(parameters->listSize(kMostParameters));
-        parameters->forEachElement([&](const JsonNode& t) { view.parameters.push_back(t.numberBetween(0, 1)); });
-    }
+    for (const ViewSetting& setting : settings)
+        if (const JsonNode* numbers = object.find(setting.name))
+            view = withNumbers(std::move(view), setting, readNumbers(*numbers, setting));
     if (const JsonNode* exported = object.find("export"))
         view.exported = readFigureOptions(*exported, layers);
 }
@@ -83,7 +95,7 @@ void writeView(JsonWriter& json, const CurveView& view) {
     json.key("view").beginObject().member("shown", view.isShown).endObject();
 }
 
-void writeView(JsonWriter& json, const SheetView& view) {
+void writeView(JsonWriter& json, const SheetView& view, std::span<const ViewSetting> settings) {
     json.key("view").beginObject();
     if (view.activeCurve != 0)
         json.member("activeCurve", view.activeCurve);
@@ -95,12 +107,13 @@ void writeView(JsonWriter& json, const SheetView& view) {
     }
     if (view.mmPerUnit)
         json.member("mmPerUnit", *view.mmPerUnit);
-    if (view.combScale != 1)
-        json.member("combScale", view.combScale);
-    if (view.polylinePoints != SheetView().polylinePoints)
-        json.member("polylinePoints", view.polylinePoints);
-    if (!view.parameters.empty())
-        json.member("parameters", view.parameters);
+    for (const ViewSetting& setting : settings) {
+        const std::span<const double> numbers = numbersOf(&view, setting);
+        if (!numbers.empty() && setting.mostNumbers == 0)
+            json.member(setting.name, numbers.front());
+        else if (!numbers.empty())
+            json.member(setting.name, std::vector(numbers.begin(), numbers.end()));
+    }
     if (view.exported) {
         json.key("export");
         writeFigureOptions(json, *view.exported);

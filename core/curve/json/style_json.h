@@ -2,17 +2,18 @@
 
 #include "core/curve/json/json_node.h"
 #include "core/curve/json/json_writer.h"
-#include "core/figure/style/style.h"
+#include "core/figure/style/view_setting.h"
 
 namespace kriva {
 
 void readStyle(const JsonNode& node, CurveStyle& style);
 void readView(const JsonNode& node, CurveView& view);
-/// `layers`: the names of the layers that the sheet has.
-void readView(const JsonNode& node, SheetView& view, std::span<const std::string_view> layers);
+/// `layers`: the names of the layers that the sheet has; `settings`: those that a view may have.
+void readView(const JsonNode& node, SheetView& view, std::span<const std::string_view> layers,
+              std::span<const ViewSetting> settings);
 void writeStyle(JsonWriter& json, const CurveStyle& style);
 void writeView(JsonWriter& json, const CurveView& view);
-void writeView(JsonWriter& json, const SheetView& view);
+void writeView(JsonWriter& json, const SheetView& view, std::span<const ViewSetting> settings);
 
 /// Reads `name`, `style` and `view`, which every curve has.
 template <class Curve>

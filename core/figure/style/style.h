@@ -43,23 +43,13 @@ struct CurveView {
     friend bool operator==(const CurveView&, const CurveView&) = default;
 };
 
-/// How many further t a sheet shows schemes at: more could not be told apart.
-inline constexpr std::size_t kMostParameters = 16;
-/// How much the curvature comb may be scaled.
-inline constexpr double kLeastCombScale = 0.01;
-inline constexpr double kMostCombScale = 100;
-/// How many points of a segment its polyline may have, both ends counted.
-inline constexpr int kLeastPolylinePoints = 2;
-inline constexpr int kMostPolylinePoints = 100;
-
 /// Saved, but never undone and never a modification.
 struct SheetView {
     int activeCurve = 0;
-    std::map<std::string, bool> layers;        ///< by layer name, where it differs from the layer's default
-    std::optional<double> mmPerUnit;           ///< scale of the page; by default its longer side is 120 mm
-    double combScale = 1;                      ///< of the curvature comb, times its automatic scale
-    int polylinePoints = 8;                    ///< of each segment of a spline, both ends counted
-    std::vector<double> parameters;            ///< further t whose de Casteljau schemes are shown, each between 0 and 1
+    std::map<std::string, bool> layers; ///< by layer name, where it differs from the layer's default
+    std::optional<double> mmPerUnit;    ///< scale of the page; by default its longer side is 120 mm
+    /// By the name of a ViewSetting, where they differ from the usual: one number, or several.
+    std::map<std::string, std::vector<double>, std::less<>> settings;
     std::optional<FigureFileOptions> exported; ///< as its figure was written last
     friend bool operator==(const SheetView&, const SheetView&) = default;
 };

@@ -39,7 +39,7 @@ void readSheet(const JsonNode& node, SheetIndex index, Sheet& sheet) {
         });
     }
     if (const JsonNode* view = object.find("view"))
-        readView(*view, sheet.view, layerNames(index));
+        readView(*view, sheet.view, layerNames(index), viewSettings());
     const int lastCurve = std::max(0, static_cast<int>(sheet.curves.size()) - 1);
     sheet.view.activeCurve = std::min(sheet.view.activeCurve, lastCurve);
     if (std::optional<FileError> error = sheetLimitError(sheet))
@@ -96,7 +96,7 @@ std::string writeDocument(const Document& document, int linesDownTo) {
             std::visit([&](const auto& c) { writeCurve(json, c); }, curve);
         json.endList();
         if (sheet.view != SheetView{})
-            writeView(json, sheet.view);
+            writeView(json, sheet.view, viewSettings());
         json.endObject();
     }
     json.endObject().endObject();

@@ -105,6 +105,13 @@ inline constexpr std::size_t kPasses = 1'000'000;        ///< in their crossings
 void reportCurve(JsonWriter& json, const SplineCurve& curve);
 void readCurve(const JsonNode& node, SplineCurve& curve);
 void writeCurve(JsonWriter& json, const SplineCurve& curve);
+/// How much the curvature comb is scaled, times its automatic scale.
+inline constexpr ViewSetting kCombScale{.name = "combScale", .least = 0.01, .most = 100, .usual = 1};
+/// How many points of each segment its de Casteljau polyline has, both ends counted.
+inline constexpr ViewSetting kPolylinePoints{
+    .name = "polylinePoints", .least = 2, .most = 100, .usual = 8, .isWhole = true};
+[[nodiscard]] std::span<const ViewSetting> viewSettingsOf(const SplineCurve& curve);
+
 /// Where a report would list too many segments.
 [[nodiscard]] std::optional<FileError> outputLimitError(std::span<const SplineCurve* const> curves, Output output);
 

@@ -115,7 +115,7 @@ Layer labelsLayer(const SplineCurve& curve, const Path& path, std::span<const Kn
 void addBeneath(Figure& figure, const SplineCurve& curve, const FigureContext& context) {
     if (isDrawn("curvature-comb", kLayers, context))
         figure.layers.push_back(
-            curvatureCombLayer(segmentsOf(curve), shapesOf(curve), context.view ? context.view->combScale : 1));
+            curvatureCombLayer(segmentsOf(curve), shapesOf(curve), numberOf(context.view, kCombScale)));
     if (isDrawn("all-rules", kLayers, context))
         figure.layers.push_back(allRulesLayer(curve));
 }
@@ -139,6 +139,11 @@ std::span<const LayerInfo> layersOf(const SplineCurve&) {
     return kLayers;
 }
 
+std::span<const ViewSetting> viewSettingsOf(const SplineCurve&) {
+    static constexpr std::array kSettings{kCombScale, kPolylinePoints};
+    return kSettings;
+}
+
 Figure figureOf(const SplineCurve& curve, const FigureContext& context) {
     Path path = pathOf(curve);
     const std::vector<KnotHandles> handles = knotHandles(curve);
@@ -153,7 +158,7 @@ Figure figureOf(const SplineCurve& curve, const FigureContext& context) {
         figure.layers.push_back(curveLayer(curve, std::move(path), context));
         if (isDrawn("polyline", kLayers, context))
             figure.layers.push_back(
-                polylineLayer(segmentsOf(curve), (context.view ? *context.view : SheetView()).polylinePoints));
+                polylineLayer(segmentsOf(curve), static_cast<int>(numberOf(context.view, kPolylinePoints))));
         if (context.isActive)
             figure.layers.push_back(endDerivativesLayer(curve, handles));
         figure.layers.push_back(std::move(ofHandles));

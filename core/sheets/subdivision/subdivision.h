@@ -17,7 +17,7 @@ inline constexpr std::size_t kReportedSchemePoints = 2'000'000; ///< of de Caste
 struct SubdivisionCurve {
     static constexpr std::string_view kSheet = "subdivision";
     static constexpr Caption kCaption = translatable("Caption", "Subdivision");
-    static constexpr Capabilities kCapabilities{.animation = true, .outputLimits = true};
+    static constexpr Capabilities kCapabilities{.animation = true, .viewSettings = true, .outputLimits = true};
 
     std::string name;
     Points points;
@@ -118,6 +118,12 @@ void reportCurve(JsonWriter& json, const SubdivisionCurve& curve);
 /// it has.
 void readCurve(const JsonNode& node, SubdivisionCurve& curve);
 void writeCurve(JsonWriter& json, const SubdivisionCurve& curve);
+
+/// The further t whose schemes are shown: more could not be told apart.
+inline constexpr ViewSetting kFurtherParameters{.name = "parameters", .least = 0, .most = 1, .mostNumbers = 16};
+[[nodiscard]] inline std::span<const ViewSetting> viewSettingsOf(const SubdivisionCurve&) {
+    return {&kFurtherParameters, 1};
+}
 
 /// Where a report lists too many points of schemes.
 [[nodiscard]] std::optional<FileError> outputLimitError(std::span<const SubdivisionCurve* const> curves, Output output);

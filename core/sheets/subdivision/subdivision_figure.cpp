@@ -141,8 +141,7 @@ std::vector<Label> partLabels(const Halves& halves) {
 }
 
 void addPolygons(Figure& figure, const SubdivisionCurve& curve, const Subdivision& cut, const FigureContext& context) {
-    const std::span<const double> further =
-        context.view ? std::span<const double>(context.view->parameters) : std::span<const double>();
+    const std::span<const double> further = numbersOf(context.view, kFurtherParameters);
     if (isDrawn("further-constructions", kLayers, context))
         figure.layers.push_back(furtherConstructions(cut.polygon, further));
     figure.layers.push_back(construction("construction", cut.triangle));

@@ -149,11 +149,11 @@ TEST_F(SplinePropertiesTest, theCombIsScaledWithoutAStep) {
     EXPECT_TRUE(editor().sheet().view.layers.at("curvature-comb"));
     EXPECT_TRUE(scale.isEnabled());
     type(field, "2.5");
-    EXPECT_EQ(editor().sheet().view.combScale, 2.5);
+    EXPECT_EQ(numberOf(&editor().sheet().view, kCombScale), 2.5);
     dragHandle(scale, 20);
-    EXPECT_GT(editor().sheet().view.combScale, 2.5);
+    EXPECT_GT(numberOf(&editor().sheet().view, kCombScale), 2.5);
     type(field, "0");
-    EXPECT_GT(editor().sheet().view.combScale, 2.5);
+    EXPECT_GT(numberOf(&editor().sheet().view, kCombScale), 2.5);
     expectNoStep(before);
     EXPECT_FALSE(document().isModified());
 }
@@ -168,7 +168,7 @@ TEST_F(SplinePropertiesTest, theBuiltInDrawingIsComparedWithAPolyline) {
     EXPECT_EQ(deviation.text(), valueText(deviationOf(before, 8), 4));
     type(named<NumberField>(properties, "Points per segment"), "3");
     test::settle();
-    EXPECT_EQ(editor().sheet().view.polylinePoints, 3);
+    EXPECT_EQ(numberOf(&editor().sheet().view, kPolylinePoints), 3);
     EXPECT_EQ(deviation.text(), valueText(deviationOf(before, 3), 4));
     const QPoint knot = test::pixelOf(tab, 2);
     QTest::mousePress(tab.canvas().viewport(), Qt::LeftButton, {}, knot);

@@ -6,6 +6,8 @@
 
 #include <QSignalSpy>
 
+#include <gmock/gmock.h>
+
 namespace kriva::ui {
 namespace {
 
@@ -13,6 +15,7 @@ using test::click;
 using test::dragHandle;
 using test::named;
 using test::type;
+using testing::ElementsAre;
 
 class SubdivisionPropertiesTest : public test::PanelTest {
   protected:
@@ -154,7 +157,7 @@ TEST_F(SubdivisionPropertiesTest, furtherParametersAreOfTheViewAndShownAtOnce) {
     QLineEdit& further = named<QLineEdit>(properties, "Further t");
     EXPECT_EQ(further.text(), QString());
     type(further, "0,25; 0.75");
-    EXPECT_EQ(editor().sheet().view.parameters, (std::vector<double>{0.25, 0.75}));
+    EXPECT_THAT(numbersOf(&editor().sheet().view, kFurtherParameters), ElementsAre(0.25, 0.75));
     EXPECT_EQ(further.text(), QStringLiteral("0.25; 0.75"));
     const Figure figure = figureOf(editor().sheet(), 1);
     const auto layer = std::ranges::find(figure.layers, "further-constructions", &Layer::name);
@@ -163,12 +166,12 @@ TEST_F(SubdivisionPropertiesTest, furtherParametersAreOfTheViewAndShownAtOnce) {
     expectNoStep(before);
     EXPECT_FALSE(document().isModified());
     type(further, "");
-    EXPECT_TRUE(editor().sheet().view.parameters.empty());
+    EXPECT_TRUE(numbersOf(&editor().sheet().view, kFurtherParameters).empty());
 }
 
 TEST_F(SubdivisionPropertiesTest, furtherParametersBetweenNoughtAndOneAloneAreTaken) {
     QLineEdit& further = named<QLineEdit>(properties, "Further t");
-    document().setParameters(1, {0.5});
+    document().setViewNumbers(1, kFurtherParameters, {0.5});
     EXPECT_EQ(further.text(), QStringLiteral("0.5"));
     for (const char* text : {"1", "0", "0.5; t", ".1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1"}) {
         type(further, text);
@@ -177,7 +180,7 @@ TEST_F(SubdivisionPropertiesTest, furtherParametersBetweenNoughtAndOneAloneAreTa
         tab.canvas().setFocus();
         EXPECT_EQ(further.text(), QStringLiteral("0.5")) << text;
     }
-    EXPECT_EQ(editor().sheet().view.parameters, std::vector<double>{0.5});
+    EXPECT_THAT(numbersOf(&editor().sheet().view, kFurtherParameters), ElementsAre(0.5));
 }
 
 TEST_F(SubdivisionPropertiesTest, isDisabledInAnEmptySheetAndShowsAHalfDrawnCurve) {

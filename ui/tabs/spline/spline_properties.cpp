@@ -73,9 +73,10 @@ void SplineProperties::addComb() {
     showsComb_ = addLayerBox("curvature-comb");
     combScale_ = new SliderField(this);
     addRow(QT_TRANSLATE_NOOP("Properties", "Scale of the comb"), combScale_);
-    combScale_->setRange({kLeastCombScale, kMostCombScale, false, false});
+    combScale_->setRange({kCombScale.least, kCombScale.most, false, false});
     combScale_->setSlider(kStepOfComb, kUsualCombs, kStepOfComb);
-    bindView(combScale_, [this](double scale) { editor().document().setCombScale(editor().index(), scale); });
+    bindView(combScale_,
+             [this](double scale) { editor().document().setViewNumbers(editor().index(), kCombScale, {scale}); });
 }
 
 void SplineProperties::addComparison() {
@@ -83,10 +84,10 @@ void SplineProperties::addComparison() {
     showsPolyline_ = addLayerBox("polyline");
     polylinePoints_ = new SliderField(this);
     addRow(QT_TRANSLATE_NOOP("Properties", "Points per segment"), polylinePoints_);
-    polylinePoints_->setRange({kLeastPolylinePoints, kMostPolylinePoints, false, true});
-    polylinePoints_->setSlider(kLeastPolylinePoints, kUsualPolylinePoints, 1);
+    polylinePoints_->setRange({kPolylinePoints.least, kPolylinePoints.most, false, true});
+    polylinePoints_->setSlider(kPolylinePoints.least, kUsualPolylinePoints, 1);
     bindView(polylinePoints_, [this](double points) {
-        editor().document().setPolylinePoints(editor().index(), static_cast<int>(points));
+        editor().document().setViewNumbers(editor().index(), kPolylinePoints, {points});
     });
     deviation_ = new PlainLabel(this);
     addRow(QT_TRANSLATE_NOOP("Properties", "Largest deviation"), deviation_);
@@ -95,7 +96,7 @@ void SplineProperties::addComparison() {
 
 CoalescingWorker::Work SplineProperties::comparison() {
     const Curve* curve = editor().shown(editor().activeSerial());
-    const int points = editor().sheet().view.polylinePoints;
+    const int points = static_cast<int>(numberOf(&editor().sheet().view, kPolylinePoints));
     return [this, points, value = curve ? std::get<SplineCurve>(*curve) : SplineCurve()](
                WorkBudget& budget) -> CoalescingWorker::Take {
         return [this, deviation = deviationFromBuiltIn(value, points, budget)] {
@@ -163,7 +164,7 @@ void SplineProperties::showCurve() {
     join_->setEnabled(!knots.empty() && value.degree > 2);
     if (!knots.empty())
         join_->setCurrentIndex(static_cast<int>(value.knots[static_cast<std::size_t>(knots.front())].join));
-    combScale_->setValue(editor().sheet().view.combScale);
+    combScale_->setValue(numberOf(&editor().sheet().view, kCombScale));
     combScale_->setEnabled(showsComb_->isChecked());
     showDerivative(start_, End::start);
     showDerivative(end_, End::end);
@@ -172,7 +173,7 @@ void SplineProperties::showCurve() {
 
 void SplineProperties::showComparison() {
     const bool isShown = showsPolyline_->isChecked();
-    polylinePoints_->setValue(editor().sheet().view.polylinePoints);
+    polylinePoints_->setValue(numberOf(&editor().sheet().view, kPolylinePoints));
     polylinePoints_->setEnabled(isShown);
     if (isShown)
         comparison_.doSoon();

@@ -51,9 +51,10 @@ void SubdivisionProperties::makeRows() {
          [](const Curve& curve, double levels) { return Curve(withLevels(valueOf(curve), static_cast<int>(levels))); },
          {QT_TRANSLATE_NOOP("Step", "Set the levels")});
     addRow(QT_TRANSLATE_NOOP("Properties", "Further t"), further_);
-    further_->setRange({{0, 1, true, false}, 0, kMostParameters});
+    further_->setRange(
+        {{kFurtherParameters.least, kFurtherParameters.most, true, false}, 0, kFurtherParameters.mostNumbers});
     connect(further_, &NumberListField::numbersCommitted, this, [this](const std::vector<double>& parameters) {
-        this->editor().document().setParameters(this->editor().index(), parameters);
+        this->editor().document().setViewNumbers(this->editor().index(), kFurtherParameters, parameters);
     });
     showsCurve_ = addLayerBox("curve");
     showsPieces_ = addLayerBox("pieces");
@@ -119,7 +120,8 @@ void SubdivisionProperties::showCurve() {
     levels_->setRange({0, static_cast<double>(most), false, true});
     levels_->setSlider(0, most, 1);
     levels_->setValue(value.levels);
-    further_->setNumbers(editor().sheet().view.parameters);
+    const std::span<const double> further = numbersOf(&editor().sheet().view, kFurtherParameters);
+    further_->setNumbers({further.begin(), further.end()});
     showMultiplicity();
     showBlossom();
     const bool overT = played() == Played::t;

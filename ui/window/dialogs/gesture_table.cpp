@@ -1,5 +1,7 @@
 #include "ui/window/dialogs/gesture_table.h"
 
+#include "core/document/document.h"
+
 #include <QCoreApplication>
 
 namespace kriva::ui {
@@ -8,7 +10,10 @@ namespace {
 [[nodiscard]] GestureGroup tabs() {
     return {QT_TRANSLATE_NOOP("Gestures", "Tabs"),
             {
-                {QT_TRANSLATE_NOOP("Gestures", "Show a tab"), QT_TRANSLATE_NOOP("Gestures", "Alt+1 … Alt+4")},
+                {QT_TRANSLATE_NOOP("Gestures", "Show a tab"),
+                 QT_TRANSLATE_NOOP("Gestures", "Alt+1 … Alt+%1"),
+                 {},
+                 static_cast<int>(kSheetCount)},
                 {QT_TRANSLATE_NOOP("Gestures", "Next tab"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_Tab)},
             }};
 }

@@ -11,6 +11,7 @@ struct Gesture {
     const char* what;           ///< marked with QT_TRANSLATE_NOOP("Gestures", ...)
     const char* keys = nullptr; ///< marked so too; null where it is a key alone
     QKeySequence sequence = {}; ///< then this one
+    int number = 0;             ///< in place of %1 in the keys
 };
 
 struct GestureGroup {

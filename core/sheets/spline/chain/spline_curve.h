@@ -39,8 +39,12 @@ struct SplineKnot {
 struct SplineCurve {
     static constexpr std::string_view kSheet = "spline";
     static constexpr Caption kCaption = translatable("Caption", "Spline");
-    static constexpr Capabilities kCapabilities{
-        .handles = true, .closing = true, .pieces = true, .relations = true, .outputLimits = true};
+    static constexpr Capabilities kCapabilities{.handles = true,
+                                                .closing = true,
+                                                .pieces = true,
+                                                .relations = true,
+                                                .viewSettings = true,
+                                                .outputLimits = true};
     enum class Rule { mirror, natural, clamped, catmullRom };
 
     std::string name;

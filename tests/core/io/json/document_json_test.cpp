@@ -182,7 +182,7 @@ TEST(ReadDocument, refusesNumbersOfViewsThatAreOutOfRange) {
         std::string place;
     };
     std::string tooMany = "0.5";
-    for (std::size_t i = 0; i < kMostParameters; ++i)
+    for (std::size_t i = 0; i < kFurtherParameters.mostNumbers; ++i)
         tooMany += ",0.5";
     const std::vector<Case> cases{
         {R"({"combScale":0})", FileProblem::numberOutOfRange, "combScale"},
@@ -231,9 +231,9 @@ TEST(WriteDocument, readsBackBitForBit) {
     curve.view.isShown = false;
     document.sheets[0].curves = test::curves({curve});
     document.sheets[0].view.layers["labels"] = false;
-    document.sheets[1].view.parameters = {0.25, 1.0 / 3};
-    document.sheets[2].view.combScale = 2.5;
-    document.sheets[2].view.polylinePoints = 12;
+    SheetView& view = document.sheets[2].view;
+    view = withNumbers(withNumbers(view, kCombScale, {2.5}), kPolylinePoints, {12});
+    document.sheets[1].view = withNumbers({}, kFurtherParameters, {0.25, 1.0 / 3});
     const std::string text = writeDocument(document);
     const auto read = readDocument(text);
     ASSERT_TRUE(std::holds_alternative<Document>(read)) << text;

@@ -142,8 +142,7 @@ TEST(SubdivisionFigure, partialCurvesAreOffAtFirstAndMeetTheLineThroughThePoint)
 }
 
 TEST(SubdivisionFigure, drawsTheSchemesAtFurtherParametersEachFainter) {
-    SheetView view;
-    view.parameters = {0.25, 0.75};
+    const SheetView view = withNumbers({}, kFurtherParameters, {0.25, 0.75});
     const Figure figure = figureOf(splitArch(), {0, true, &view});
     const auto layer = std::ranges::find(figure.layers, "further-constructions", &Layer::name);
     ASSERT_NE(layer, figure.layers.end());

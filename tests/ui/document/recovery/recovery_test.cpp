@@ -87,7 +87,7 @@ TEST_F(RecoveryTest, keepsWhatIsUnsavedUntilItIsSaved) {
 
 TEST_F(RecoveryTest, keepsNothingOfADocumentThatIsSaved) {
     document.setActiveSheet(1);
-    document.setCombScale(2, 3);
+    document.setViewNumbers(2, kCombScale, {3});
     QCoreApplication::processEvents();
     ASSERT_TRUE(settle());
     EXPECT_EQ(names(), QStringList());
