@@ -113,10 +113,10 @@ void OpenDocument::setLayerShown(SheetIndex sheet, std::string_view layer, bool 
 }
 
 void OpenDocument::setViewNumbers(SheetIndex sheet, const ViewSetting& setting, std::vector<double> numbers) {
-    SheetView view = withNumbers(present_.view(sheet), setting, std::move(numbers));
-    if (view == present_.view(sheet))
+    SheetView changed = withNumbers(view(sheet), setting, std::move(numbers));
+    if (changed == view(sheet))
         return;
-    present_.view(sheet) = std::move(view);
+    view(sheet) = std::move(changed);
     Q_EMIT viewChanged(sheet);
 }
 
