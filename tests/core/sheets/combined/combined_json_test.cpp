@@ -1,3 +1,4 @@
+#include "core/curve/json/json_writer.h"
 #include "core/figure/labels.h"
 #include "core/io/json/document_json.h"
 #include "core/sheets/combined/combined.h"

@@ -1,3 +1,4 @@
+#include "core/curve/json/json_writer.h"
 #include "core/document/document.h"
 #include "core/document/limit_check.h"
 #include "core/document/report.h"

@@ -1,3 +1,4 @@
+#include "core/curve/json/json_writer.h"
 #include "core/sheets/elevation/elevation.h"
 #include "tests/support/any_curve.h"
 #include "tests/support/documents.h"

@@ -1,6 +1,7 @@
 #include "core/bezier/evaluate.h"
 #include "core/sheets/spline/editing/chain_edits.h"
 #include "core/sheets/spline/editing/joins.h"
+#include "core/sheets/spline/spline.h"
 #include "tests/core/sheets/spline/spline_values.h"
 
 namespace kriva {
