@@ -39,8 +39,13 @@ def room_of(path, heights):
     return None
 
 
+def line_of(room, heights):
+    """The name in the list that stands for a room."""
+    return room if room in heights else folder_of(room) + "/"
+
+
 def height_of(room, heights):
-    return heights[room if room in heights else folder_of(room) + "/"]
+    return heights[line_of(room, heights)]
 
 
 def folder_of(path):
@@ -123,8 +128,9 @@ def arrows(files, places):
 def room_lines(files, heights):
     """The house in words, and its rings."""
     rooms = arrows(files, lambda path: room_of(path, heights))
-    for room in sorted(rooms, key=lambda room: (-heights[room], list(heights).index(room))):
-        below = sorted(rooms[room], key=lambda other: -heights[other])
+    lines = list(heights)
+    for room in sorted(rooms, key=lambda room: (-height_of(room, heights), lines.index(line_of(room, heights)), room)):
+        below = sorted(rooms[room], key=lambda other: -height_of(other, heights))
         yield f"{room} -> {', '.join(below) or 'nothing'}"
     folders = arrows(files, folder_of)
     found = list(rings(folders))

@@ -3,7 +3,7 @@
 
     tests/core/bezier/split_test.cpp        core/bezier/split.h or .cpp; likewise for ui, app and resources
     tests/core/bezier/split_speed_test.cpp  the same, and what of it
-    tests/core/sheets/spline/views_test.cpp the folder core/sheets/spline/views; views_speed_test.cpp and what of it
+    tests/core/sheets/spline/chain_test.cpp the folder core/sheets/spline/chain; chain_speed_test.cpp and what of it
     tests/support/dice_test.cpp             tests/support/dice.h or .cpp
     tests/window/panels/wheel_test.cpp      ui/panels, driven in the whole window
     tests/window/typing_test.cpp            the whole window
