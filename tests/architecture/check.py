@@ -48,6 +48,13 @@ def height_of(room, heights):
     return heights[line_of(room, heights)]
 
 
+def each_height(files, heights):
+    """The height of each room by its own name, those too that a line with a slash stands for."""
+    rooms = sorted({room_of(path, heights) for path in files} - {None})
+    return {room: height for line, height in heights.items()
+            for room in ([line] if line in rooms else [room for room in rooms if line_of(room, heights) == line])}
+
+
 def folder_of(path):
     return str(pathlib.PurePath(path).parent)
 
@@ -128,9 +135,9 @@ def arrows(files, places):
 def room_lines(files, heights):
     """The house in words, and its rings."""
     rooms = arrows(files, lambda path: room_of(path, heights))
-    lines = list(heights)
-    for room in sorted(rooms, key=lambda room: (-height_of(room, heights), lines.index(line_of(room, heights)), room)):
-        below = sorted(rooms[room], key=lambda other: -height_of(other, heights))
+    heights = each_height(files, heights)
+    for room in sorted(rooms, key=lambda room: (-heights[room], list(heights).index(room))):
+        below = sorted(rooms[room], key=lambda other: -heights[other])
         yield f"{room} -> {', '.join(below) or 'nothing'}"
     folders = arrows(files, folder_of)
     found = list(rings(folders))

@@ -171,7 +171,8 @@ def drawn(heights, graph):
 def main():
     heights = check.floors((check.HERE / "floors.txt").read_text(encoding="utf-8"))
     files = check.sources(check.HERE.parent.parent)
-    picture = drawn(heights, check.arrows(files, lambda path: check.room_of(path, heights)))
+    picture = drawn(check.each_height(files, heights),
+                    check.arrows(files, lambda path: check.room_of(path, heights)))
     if sys.argv[1:] == ["--check"]:
         if PICTURE.exists() and PICTURE.read_text(encoding="utf-8") == picture:
             return 0
