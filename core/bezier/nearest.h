@@ -16,6 +16,9 @@ struct NearestPoint {
 /// that separates the candidates. For a curve of one place that place, with t = 0.
 [[nodiscard]] NearestPoint nearest(std::span<const Point> curve, Point point);
 
+/// The same for many points, as many as there are places.
+void nearest(std::span<const Point> curve, std::span<const Point> points, std::span<NearestPoint> places);
+
 /// A distance that no place of the curve falls below, quickly: that of its control points' box. O(degree).
 [[nodiscard]] double leastDistance(std::span<const Point> curve, Point point);
 

@@ -1,3 +1,4 @@
+#include "core/bezier/elevate.h"
 #include "core/bezier/evaluate.h"
 #include "core/bezier/nearest.h"
 #include "tests/support/any_curve.h"
@@ -44,6 +45,38 @@ TEST(Nearest, seesFarPointsAndFarCurves) {
     for (Point& p : far)
         p = p + Vector{1e9, 1e9};
     EXPECT_NEAR(nearest(far, {1e9 + 2, 1e9 + 2}).distance, 0.5, 1e-6);
+}
+
+TEST(Nearest, findsTheTurnOfALineThatRunsBack) {
+    const Points line{{4. / 64, 7. / 64}, {6. / 64, 5. / 64}, {3. / 64, 8. / 64}};
+    EXPECT_LE(nearest(line, evaluate(line, 0.4)).distance, 1e-16);
+    EXPECT_LE(nearest(Points{{0, 0}, {4, 0}, {-4, 0}, {0, 0}}, {5, 0}).distance, 5 - 4 / std::sqrt(12.0) + 1e-15);
+}
+
+TEST(Nearest, isNotLedAstrayByAPlaceWhereTheDistanceStandsStill) {
+    const Points curve{{1. / 64, -1. / 64}, {-7. / 64, 8. / 64}, {1. / 64, 0}, {-7. / 64, 7. / 64}};
+    const NearestPoint found = nearest(curve, evaluate(curve, 0.036)); // at 0.5 the slope is zero and keeps its sign
+    EXPECT_NEAR(found.t, 0.036, 1e-14);
+    EXPECT_LE(found.distance, 1e-16);
+}
+
+RC_GTEST_PROP(Nearest, toManyPointsIsToEachAlone, ()) {
+    const Points curve = *test::anyCurve(0, 6);
+    const Points points = *rc::gen::container<Points>(test::anyPoint());
+    std::vector<NearestPoint> places(points.size());
+    nearest(curve, points, places);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const NearestPoint alone = nearest(curve, points[i]);
+        RC_ASSERT(places[i].t == alone.t);
+        RC_ASSERT(places[i].at == alone.at);
+        RC_ASSERT(places[i].distance == alone.distance);
+    }
+}
+
+RC_GTEST_PROP(Nearest, isAsNearToTheCurveToldByOneDegreeMore, ()) {
+    const Points curve = *test::anyCurve(1, 4); // up to degree 3 the search is another one than above
+    const Point point = *test::anyPoint();
+    RC_ASSERT(std::abs(nearest(curve, point).distance - nearest(elevated(curve, 4), point).distance) <= 1e-12 * 3000);
 }
 
 RC_GTEST_PROP(Nearest, isNoFartherThanAnySample, ()) {
