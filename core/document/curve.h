@@ -15,9 +15,9 @@ consteval bool areSheets(std::type_identity<std::variant<C...>>) {
 static_assert(areSheets(std::type_identity<CurveKinds>()));
 
 template <class C, class Kinds>
-inline constexpr bool isAmong = false;
+inline constexpr bool kIsAmong = false;
 template <class C, class... Kinds>
-inline constexpr bool isAmong<C, std::variant<Kinds...>> = (std::same_as<C, Kinds> || ...);
+inline constexpr bool kIsAmong<C, std::variant<Kinds...>> = (std::same_as<C, Kinds> || ...);
 
 /// A curve of any sheet. None becomes one unless it is asked for, so that a function of this kind of curve can never
 /// stand in for one that a sheet does not have.
@@ -25,7 +25,7 @@ class Curve : public CurveKinds {
   public:
     Curve() = default;
     template <class C>
-    requires isAmong<C, CurveKinds>
+    requires kIsAmong<C, CurveKinds>
     explicit Curve(C curve)
         : CurveKinds(std::move(curve)) {}
 };

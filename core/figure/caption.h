@@ -13,12 +13,14 @@ class Caption {
     [[nodiscard]] constexpr const char* words() const { return words_; }
     friend constexpr bool operator==(Caption a, Caption b) { return std::string_view(a.words_) == b.words_; }
 
+    // NOLINTBEGIN(readability-identifier-naming): they are used, and read, like the enumerators of a list
     static const Caption none;
     // What is said in more than one place; other captions stand beside what they name.
     static const Caption curve, controlPolygon, points, labels, construction, leftPolygon, rightPolygon, blossom, runs,
         joins, allRules, degree, length, bounds, gap, pointAtT, segmentLength, coefficients, crossingCount, crossing,
         tooManyToCount, bendingEnergy, runCoefficients, residual, maxError, largestKink, slopeVariation, incomplete,
         bernsteinPolynomials, weightsAtT, leftAndRight, hodograph, run, methods, interpolation, approximation;
+    // NOLINTEND(readability-identifier-naming)
 
   private:
     constexpr explicit Caption(const char* words)

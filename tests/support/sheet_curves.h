@@ -12,7 +12,7 @@ struct AnyCurve : Curve {
     AnyCurve(Curve curve)
         : Curve(std::move(curve)) {}
     template <class C>
-    requires isAmong<C, CurveKinds> AnyCurve(C curve)
+    requires kIsAmong<C, CurveKinds> AnyCurve(C curve)
         : Curve(std::move(curve)) {}
 };
 
