@@ -13,7 +13,7 @@ constexpr double longerAxisNeeded(int points, double error) {
     double high = 1e4;
     for (int i = 0; i < 60; ++i) {
         const double rho = low / 2 + high / 2;
-        const double decay = power(1 / rho, static_cast<std::size_t>(2 * points));
+        const double decay = power(1 / rho, 2 * static_cast<std::size_t>(points));
         const bool enough = decay <= error * 15 / 32 * (1 - 1 / (rho * rho));
         (enough ? high : low) = rho;
     }
