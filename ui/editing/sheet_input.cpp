@@ -79,7 +79,8 @@ void SheetInput::requestMenu(const PointerEvent& press) {
         editor_.activate(*press.under.curve);
         menuPlace_ = CurvePlace{*press.under.curve, canvas_->mapping().toDocument(pixel)};
     }
-    Q_EMIT menuRequested(canvas_->viewport()->mapToGlobal(pixel), press.under);
+    const QPoint place = canvas_->viewport()->mapToGlobal(pixel);
+    Q_EMIT menuRequested(place, press.under);
 }
 
 void SheetInput::clickWithAlt(const PointerEvent& press) {
