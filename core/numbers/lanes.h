@@ -10,7 +10,7 @@ namespace kriva {
 // Aligned in all functions as in those for the widest registers: GCC aligns less where these are not in use.
 using Lanes [[gnu::vector_size(32), gnu::aligned(32)]] = double;
 inline constexpr std::size_t kLanes = sizeof(Lanes) / sizeof(double);
-static_assert(alignof(Lanes) == sizeof(Lanes));
+static_assert(alignof(Lanes) == kLanes * sizeof(double));
 
 // Lanes are handed over by reference: by value their way depends on the processor for which a function is compiled.
 
