@@ -12,6 +12,7 @@ class Caption {
     /// English; empty for none.
     [[nodiscard]] constexpr const char* words() const { return words_; }
     friend constexpr bool operator==(Caption a, Caption b) { return std::string_view(a.words_) == b.words_; }
+    friend constexpr auto operator<=>(Caption a, Caption b) { return std::string_view(a.words_) <=> b.words_; }
 
     static const Caption none;
     // What is said in more than one place; other captions stand beside what they name.
