@@ -1,4 +1,5 @@
 #include "tests/support/long_run.h"
+#include "tests/support/sheet_curves.h"
 #include "ui/document/document_file.h"
 #include "ui/document/recovery/found_recoveries.h"
 #include "ui/document/sharing/open_files.h"
@@ -98,7 +99,7 @@ std::optional<int> changeOf(const FoundRecovery& found) {
     const LoadedFile* file = std::get_if<LoadedFile>(&loaded);
     if (!file || found.state != RecoveryState::Whole)
         return {};
-    return qRound(pointAt(file->document.sheets[0].curves.at(0), 0).x);
+    return qRound(pointAt(file->document.sheets[test::kElevation].curves.at(0), 0).x);
 }
 
 /// Kills it and looks at what is left.
@@ -217,7 +218,8 @@ TEST(Ending, whatIsSavedLeavesNothing) {
     const QTemporaryDir home;
     const QString path = home.filePath(u"arch.kriva"_s);
     Document document;
-    document.sheets[0].curves = {withPointsAdded(emptyCurve(0), Points{{0, 0}, {1, 2}, {3, 0}})};
+    document.sheets[test::kElevation].curves = {
+        withPointsAdded(emptyCurve(test::kElevation), Points{{0, 0}, {1, 2}, {3, 0}})};
     ASSERT_EQ(saveDocument(path, document), std::nullopt);
     EditedKriva kriva(home);
     kriva.start(u"save"_s, {path}, 1, 1);
@@ -225,7 +227,7 @@ TEST(Ending, whatIsSavedLeavesNothing) {
     kriva.end(SIGTERM);
     EXPECT_TRUE(kriva.endedByItself(0));
     EXPECT_TRUE(kriva.found().empty());
-    EXPECT_EQ(pointAt(std::get<LoadedFile>(loadDocument(path)).document.sheets[0].curves[0], 0).x, 101);
+    EXPECT_EQ(pointAt(std::get<LoadedFile>(loadDocument(path)).document.sheets[test::kElevation].curves[0], 0).x, 101);
 }
 
 /// A program that was killed while a document of a file was changed, and those after it.
@@ -233,7 +235,8 @@ class NextStart : public testing::Test {
   protected:
     NextStart() {
         Document document;
-        document.sheets[0].curves = {withPointsAdded(emptyCurve(0), Points{{0, 0}, {1, 2}, {3, 0}})};
+        document.sheets[test::kElevation].curves = {
+            withPointsAdded(emptyCurve(test::kElevation), Points{{0, 0}, {1, 2}, {3, 0}})};
         EXPECT_EQ(saveDocument(path, document), std::nullopt);
         before = boundedRead(path);
         EditedKriva kriva(home);

@@ -14,7 +14,7 @@ using test::answerWith;
 class Typing : public test::PanelTest {
   protected:
     Typing()
-        : PanelTest(0) {
+        : PanelTest(test::kElevation) {
         table.setFocus();
         editor().selectNone(); // what is typed comes to the new row
     }
@@ -31,7 +31,7 @@ class Typing : public test::PanelTest {
     }
     [[nodiscard]] DocumentSession& session() { return shell.window.session(); }
     [[nodiscard]] Curve saved() const {
-        return std::get<LoadedFile>(loadDocument(file)).document.sheets[0].curves.at(0);
+        return std::get<LoadedFile>(loadDocument(file)).document.sheets[test::kElevation].curves.at(0);
     }
     [[nodiscard]] bool isOpen() { return table.viewport()->findChild<QLineEdit*>() != nullptr; }
     [[nodiscard]] Curve withPoint(Point at) const { return withPointAdded(before, at).curve; }
@@ -78,9 +78,9 @@ TEST_F(Typing, anotherDocumentIsNotOpenedUnaskedOverAPointInItsCell) {
 
 TEST_F(Typing, aPointInItsCellStaysWhereAnotherTabIsShown) {
     type("1\t2");
-    document().setActiveSheet(1);
+    document().setActiveSheet(test::kSubdivision);
     QApplication::processEvents();
-    document().setActiveSheet(0);
+    document().setActiveSheet(test::kElevation);
     EXPECT_TRUE(curve() == withPoint({1, 2}));
 }
 

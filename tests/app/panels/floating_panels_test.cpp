@@ -31,7 +31,8 @@ class FloatingPanels : public testing::Test {
 TEST_F(FloatingPanels, hideAndShowWithTheirTabInAllFour) {
     for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet)
         floated(sheet, "properties");
-    for (const SheetIndex shown : {SheetIndex(2), SheetIndex(0), SheetIndex(3), SheetIndex(1), SheetIndex(2)}) {
+    for (const SheetIndex shown :
+         {test::kSpline, test::kElevation, test::kCombined, test::kSubdivision, test::kSpline}) {
         show(shown);
         for (SheetIndex sheet = 0; sheet < kSheetCount; ++sheet) {
             EXPECT_EQ(dock(sheet, "properties").isVisible(), sheet == shown) << shown << sheet;
@@ -58,31 +59,31 @@ TEST_F(FloatingPanels, sayInTheirTitlesToWhichTabTheyBelongInTheLanguage) {
     shell.language.setLanguage(Language::Bulgarian);
     QApplication::processEvents();
     const QString title = points.windowTitle();
-    EXPECT_TRUE(title.endsWith(QStringLiteral(" – ") + shell.window.sheetTitle(2))) << title.toStdString();
+    EXPECT_TRUE(title.endsWith(QStringLiteral(" – ") + shell.window.sheetTitle(test::kSpline))) << title.toStdString();
     EXPECT_FALSE(title.contains(QStringLiteral("Points")));
     points.setFloating(false);
     EXPECT_EQ(points.windowTitle(), points.toggleViewAction()->text());
-    EXPECT_FALSE(points.windowTitle().contains(shell.window.sheetTitle(2)));
+    EXPECT_FALSE(points.windowTitle().contains(shell.window.sheetTitle(test::kSpline)));
 }
 
 TEST_F(FloatingPanels, aRememberedLayoutShowsThemWithTheirTabAlone) {
     floated(0, "layers");
     show(1);
-    const QByteArray whileHidden = shell.window.tab(0).panels().layout();
-    EXPECT_NE(whileHidden, shell.window.tab(1).panels().layout());
+    const QByteArray whileHidden = shell.window.tab(test::kElevation).panels().layout();
+    EXPECT_NE(whileHidden, shell.window.tab(test::kSubdivision).panels().layout());
     test::TestWindow next;
-    for (const SheetIndex sheet : {SheetIndex(1), SheetIndex(0)})
+    for (const SheetIndex sheet : {test::kSubdivision, test::kElevation})
         next.window.document().setActiveSheet(sheet);
-    next.window.tab(0).panels().setLayout(whileHidden);
+    next.window.tab(test::kElevation).panels().setLayout(whileHidden);
     QApplication::processEvents();
-    QDockWidget& layers = *next.window.tab(0).findChild<QDockWidget*>(QStringLiteral("layers"));
+    QDockWidget& layers = *next.window.tab(test::kElevation).findChild<QDockWidget*>(QStringLiteral("layers"));
     EXPECT_TRUE(layers.isFloating());
     EXPECT_TRUE(layers.isVisible());
     EXPECT_EQ(layers.windowTitle(), QStringLiteral("Layers – Elevation"));
-    next.window.document().setActiveSheet(3);
+    next.window.document().setActiveSheet(test::kCombined);
     QApplication::processEvents();
     EXPECT_FALSE(layers.isVisible());
-    next.window.tab(0).panels().setLayout(whileHidden);
+    next.window.tab(test::kElevation).panels().setLayout(whileHidden);
     QApplication::processEvents();
     EXPECT_FALSE(layers.isVisible()) << "while its tab is hidden";
 }
@@ -99,16 +100,17 @@ TEST_F(FloatingPanels, whatIsTypedWhenTheTabIsLeftIsAStepOfThatTab) {
     QApplication::processEvents();
     show(2);
     EXPECT_FALSE(properties.isVisible());
-    const auto& curve = std::get<SubdivisionCurve>(shell.window.document().value().sheets[1].curves[0]);
+    const auto& curve =
+        std::get<SubdivisionCurve>(shell.window.document().value().sheets[test::kSubdivision].curves[0]);
     EXPECT_EQ(curve.t, 0.25);
-    EXPECT_EQ(shell.steps(1), 1);
-    EXPECT_EQ(shell.steps(2), 0);
+    EXPECT_EQ(shell.steps(test::kSubdivision), 1);
+    EXPECT_EQ(shell.steps(test::kSpline), 0);
 }
 
 TEST_F(FloatingPanels, aCellThatIsOpenWhenTheTabIsLeftIsAppliedToItsOwnPoint) {
     QDockWidget& dock = floated(0, "points");
     auto& table = *dock.findChild<PointsPanel*>();
-    const double y = pointAt(shell.window.document().value().sheets[0].curves[0], 1).y;
+    const double y = pointAt(shell.window.document().value().sheets[test::kElevation].curves[0], 1).y;
     dock.activateWindow();
     table.setFocus();
     test::doubleClick(*table.viewport(), table.visualRect(table.model()->index(1, 0)).center());
@@ -116,9 +118,9 @@ TEST_F(FloatingPanels, aCellThatIsOpenWhenTheTabIsLeftIsAppliedToItsOwnPoint) {
     ASSERT_NE(field, nullptr);
     QTest::keyClicks(field, QStringLiteral("-3,5"));
     show(3);
-    EXPECT_EQ(pointAt(shell.window.document().value().sheets[0].curves[0], 1), Point(-3.5, y));
-    EXPECT_EQ(shell.steps(0), 1);
-    EXPECT_EQ(shell.steps(3), 0);
+    EXPECT_EQ(pointAt(shell.window.document().value().sheets[test::kElevation].curves[0], 1), Point(-3.5, y));
+    EXPECT_EQ(shell.steps(test::kElevation), 1);
+    EXPECT_EQ(shell.steps(test::kCombined), 0);
 }
 
 } // namespace

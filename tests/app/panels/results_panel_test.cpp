@@ -72,7 +72,7 @@ TEST_F(ResultsPanelTest, areThoseOfTheStageOnView) {
 
 TEST_F(ResultsPanelTest, followTheChoiceOfACurveAndOfALanguage) {
     open({curve(), ElevationCurve{"", {{0, 0}, {1, 1.5}}, 2, {}, {}}});
-    document().setActiveCurve(0, document().serials(0)[1]);
+    document().setActiveCurve(test::kElevation, document().serials(test::kElevation)[1]);
     EXPECT_EQ(rows(), rowsOf(editor().sheet().curves[1]));
     const Rows english = rows();
     shell.language.setLanguage(Language::Slovenian);
@@ -103,7 +103,7 @@ class SplineResultsTest : public ResultsPanelTest {
   protected:
     SplineResultsTest()
         : ResultsPanelTest(2) {
-        open(exampleDocument(QStringLiteral(":/examples/self-intersections.kriva")).sheets[2].curves);
+        open(exampleDocument(QStringLiteral(":/examples/self-intersections.kriva")).sheets[test::kSpline].curves);
         static_cast<void>(rows());
     }
     /// The first row of a crossing.
@@ -122,7 +122,7 @@ class SplineResultsTest : public ResultsPanelTest {
 };
 
 TEST_F(SplineResultsTest, aChosenCrossingIsPointedOutAndBroughtIntoSight) {
-    const std::vector<Result> ofSheet = relationsOf(editor().sheet(), 2).results;
+    const std::vector<Result> ofSheet = relationsOf(editor().sheet(), test::kSpline).results;
     const auto crossing = std::ranges::find(ofSheet, Caption::crossing, &Result::caption);
     ASSERT_NE(crossing, ofSheet.end());
     const Point place = std::get<PassedPlace>(*crossing->value).at;

@@ -18,7 +18,7 @@ using test::type;
 class CombinedPropertiesTest : public test::PanelTest {
   protected:
     CombinedPropertiesTest()
-        : PanelTest(3) {}
+        : PanelTest(test::kCombined) {}
     [[nodiscard]] CombinedCurve corrected() const {
         CombinedCurve curve = before;
         curve.method = CombinedCurve::Method::pairs;
@@ -29,7 +29,7 @@ class CombinedPropertiesTest : public test::PanelTest {
 
     [[nodiscard]] bool isExported(const char* layer) {
         const std::string svg =
-            writeSheetSvg(editor().documentOnView(), 3, textSource(), {.stage = editor().layerStage()});
+            writeSheetSvg(editor().documentOnView(), test::kCombined, textSource(), {.stage = editor().layerStage()});
         return svg.find("<g id=\"layer-" + std::string(layer) + "\"") != std::string::npos;
     }
     [[nodiscard]] bool says(const char* text) {

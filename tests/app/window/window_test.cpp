@@ -194,7 +194,7 @@ class RemovalTest : public testing::Test {
 };
 
 TEST_F(RemovalTest, refitsTheNeighboursOfAKnotAndTellsTheDeviationUntilThePointerMoves) {
-    SheetTab& tab = window.shown(2);
+    SheetTab& tab = window.shown(test::kSpline);
     const auto before = std::get<SplineCurve>(*tab.editor().activeCurve());
     const Refitted<SplineCurve> refitted = withPointsRemovedRefitted(before, {2});
     const QString told = QStringLiteral("The shape changes by at most %1")
@@ -215,7 +215,7 @@ TEST_F(RemovalTest, refitsTheNeighboursOfAKnotAndTellsTheDeviationUntilThePointe
 }
 
 TEST_F(RemovalTest, ctrlDeleteAndDeleteLastPointRefitNothing) {
-    SheetTab& tab = window.shown(2);
+    SheetTab& tab = window.shown(test::kSpline);
     const auto before = std::get<SplineCurve>(*tab.editor().activeCurve());
     selectByClick(tab, 2);
     QTest::keyClick(tab.canvas().viewport(), Qt::Key_Delete, Qt::ControlModifier);
@@ -239,13 +239,13 @@ TEST_F(RemovalTest, tellsWhereTheDegreeFalls) {
 }
 
 TEST_F(RemovalTest, leavesAPointByItselfWithoutADegree) {
-    SheetTab& tab = window.shown(0);
+    SheetTab& tab = window.shown(test::kElevation);
     tab.editor().removePoints(tab.editor().activeSerial(), {1, 2, 3}, Removal::refitted);
     EXPECT_FALSE(hint().startsWith(QStringLiteral("The degree")));
 }
 
 TEST_F(RemovalTest, tellsWhatHappenedUntilSomethingElseDoes) {
-    SheetTab& tab = window.shown(0);
+    SheetTab& tab = window.shown(test::kElevation);
     tab.editor().removePoints(tab.editor().activeSerial(), {1}, Removal::plain);
     EXPECT_EQ(hint(), QStringLiteral("The degree falls to 2"));
     window.window.document().undo();
@@ -253,7 +253,7 @@ TEST_F(RemovalTest, tellsWhatHappenedUntilSomethingElseDoes) {
 }
 
 TEST_F(RemovalTest, looksAgainWhatIsUnderThePointerWhenThePointGoes) {
-    SheetTab& tab = window.shown(0);
+    SheetTab& tab = window.shown(test::kElevation);
     selectByClick(tab, 1);
     const QString overPoint = hint();
     EXPECT_NE(overPoint, QString());
@@ -262,7 +262,7 @@ TEST_F(RemovalTest, looksAgainWhatIsUnderThePointerWhenThePointGoes) {
 }
 
 TEST_F(RemovalTest, forgetsThePointerThatLeft) {
-    SheetTab& tab = window.shown(0);
+    SheetTab& tab = window.shown(test::kElevation);
     selectByClick(tab, 1);
     const auto& pointer = *window.window.findChild<QLabel*>(QStringLiteral("pointer"));
     EXPECT_TRUE(pointer.text().startsWith(QStringLiteral("x")));
@@ -279,8 +279,9 @@ TEST(Window, asksWhetherToOpenTheDocumentOrTheDrawingOfAnEditedFigure) {
     const QString path = folder.filePath(QStringLiteral("figure.svg"));
     Document document;
     document.title = "Inside";
-    document.sheets[0].curves = {withPointsAdded(emptyCurve(0), Points{{0, 0}, {1, 4}, {4, 0}})};
-    const std::string svg = writeSheetSvg(document, 0, textSource(), {{}, 10});
+    document.sheets[test::kElevation].curves = {
+        withPointsAdded(emptyCurve(test::kElevation), Points{{0, 0}, {1, 4}, {4, 0}})};
+    const std::string svg = writeSheetSvg(document, test::kElevation, textSource(), {{}, 10});
     const auto save = [&](std::string_view without, std::string_view with) {
         std::string text = svg;
         ASSERT_NE(text.find(without), std::string::npos);
@@ -299,7 +300,7 @@ TEST(Window, asksWhetherToOpenTheDocumentOrTheDrawingOfAnEditedFigure) {
     EXPECT_EQ(window.window.document().value(), document);
     answerWith(QStringLiteral("Drawing"));
     EXPECT_TRUE(session.openFile(path));
-    EXPECT_EQ(pointAt(window.window.document().sheet(0).curves.at(0), 2), (Point{5, 0}));
+    EXPECT_EQ(pointAt(window.window.document().sheet(test::kElevation).curves.at(0), 2), (Point{5, 0}));
     EXPECT_EQ(window.window.document().value().title, "Inside");
     save("Q", "Q"); // as it was: nobody is asked
     EXPECT_TRUE(session.openFile(path));
@@ -319,7 +320,7 @@ TEST(Window, asksForAFurtherOne) {
 
 TEST(Window, asksBeforeChangesAreLost) {
     TestWindow window;
-    SheetTab& tab = window.shown(0);
+    SheetTab& tab = window.shown(test::kElevation);
     EXPECT_TRUE(window.window.session().mayClose());
     tab.editor().addPoint({1, 1});
     answerWith(QMessageBox::Cancel);
@@ -331,7 +332,7 @@ TEST(Window, asksBeforeChangesAreLost) {
 
 TEST(Window, staysModifiedAfterAFailedSave) {
     TestWindow window;
-    window.shown(0).editor().addPoint({1, 1});
+    window.shown(test::kElevation).editor().addPoint({1, 1});
     answerWith(QMessageBox::Cancel);
     EXPECT_FALSE(window.window.session().saveTo(QStringLiteral("/nowhere/at/all.kriva")));
     EXPECT_TRUE(window.window.document().isModified());
@@ -368,14 +369,14 @@ TEST(Window, remembersThePanelsOfEachTabAlsoOfThoseThatWereNotShown) {
     EXPECT_TRUE(points(window, 0)->isVisible());
     EXPECT_FALSE(points(window, 2)->isVisible());
     EXPECT_FALSE(points(window, 3)->isVisible());
-    window.shown(2).panels().reset();
+    window.shown(test::kSpline).panels().reset();
     EXPECT_TRUE(points(window, 2)->isVisible());
 }
 
 TEST(Window, makesThePanelsOfATabWhenItIsFirstShown) {
     TestWindow window;
-    EXPECT_EQ(window.window.tab(1).findChild<QDockWidget*>(), nullptr);
-    EXPECT_NE(window.shown(1).findChild<QDockWidget*>(), nullptr);
+    EXPECT_EQ(window.window.tab(test::kSubdivision).findChild<QDockWidget*>(), nullptr);
+    EXPECT_NE(window.shown(test::kSubdivision).findChild<QDockWidget*>(), nullptr);
 }
 
 TEST(Window, opensEveryExample) {
@@ -390,7 +391,7 @@ TEST(Window, opensEveryExample) {
 
 TEST(Window, playsThroughStagesWithoutTouchingTheDocument) {
     TestWindow window;
-    SheetTab& tab = window.shown(0);
+    SheetTab& tab = window.shown(test::kElevation);
     auto* player = tab.findChild<Player*>();
     for (int i = 0; i < 20; ++i)
         player->tick();
@@ -405,7 +406,7 @@ TEST(Window, playsThroughStagesWithoutTouchingTheDocument) {
 
 TEST(Window, bringsTheHistoryToTheFront) {
     TestWindow window;
-    SheetTab& tab = window.shown(1);
+    SheetTab& tab = window.shown(test::kSubdivision);
     auto* history = tab.findChild<QDockWidget*>(QStringLiteral("history"));
     ASSERT_TRUE(history->visibleRegion().isEmpty()); // behind the results
     QTest::keyClick(&window.window, Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
@@ -425,7 +426,7 @@ TEST(Window, tellsTheZoomOfTheShownTab) {
         EXPECT_GE(zoom->width(), zoom->sizeHint().width()) << "there is room for it";
     }
     shell.window.currentTab().canvas().zoomIn();
-    shell.window.tab(3).canvas().zoomTo100();
+    shell.window.tab(test::kCombined).canvas().zoomTo100();
     EXPECT_EQ(zoom->text(),
               locale.toString(shell.window.currentTab().canvas().zoomPercent(), 'g', 3) + QStringLiteral(" %"));
 }

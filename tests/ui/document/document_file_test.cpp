@@ -1,4 +1,5 @@
 #include "core/io/svg/svg_writer.h"
+#include "tests/support/sheet_curves.h"
 #include "ui/document/document_file.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace {
 Document arch() {
     Document document;
     document.title = "arch";
-    document.sheets[0].curves.emplace_back(ElevationCurve{"", {{-0.0, 0.1}, {1, 2}, {4, 0}}, 3, {}, {}});
+    document.sheets[test::kElevation].curves.emplace_back(ElevationCurve{"", {{-0.0, 0.1}, {1, 2}, {4, 0}}, 3, {}, {}});
     return document;
 }
 
@@ -33,7 +34,8 @@ TEST_F(DocumentFile, comesBackAsItWasSaved) {
 
 TEST_F(DocumentFile, opensAFigureWithItsDocumentInside) {
     const TextSource texts{[](Caption) { return "Word"; }, [](double, int) { return std::string(); }, "en"};
-    EXPECT_FALSE(safeWrite(path("arch.svg"), QByteArray::fromStdString(writeSheetSvg(arch(), 0, texts))));
+    EXPECT_FALSE(
+        safeWrite(path("arch.svg"), QByteArray::fromStdString(writeSheetSvg(arch(), test::kElevation, texts))));
     const auto loaded = loadDocument(path("arch.svg"));
     ASSERT_TRUE(std::holds_alternative<LoadedFile>(loaded));
     EXPECT_EQ(std::get<LoadedFile>(loaded).document, arch());

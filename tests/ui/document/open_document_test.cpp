@@ -15,7 +15,7 @@
 namespace kriva::ui {
 namespace {
 
-constexpr SheetIndex kElevationSheet = 0;
+constexpr SheetIndex kElevationSheet = kSheetOf<ElevationCurve>;
 const StepLabel kMove{"Move point %1", 3};
 
 ElevationCurve singleArch() {
@@ -127,7 +127,7 @@ TEST_F(OpenDocumentTest, isModifiedExactlyWhereTheValueDiffersFromTheOneSaved) {
 TEST_F(OpenDocumentTest, viewStateIsNeitherAStepNorAModification) {
     document.setCurveShown(kElevationSheet, serial, false);
     document.setLayerShown(kElevationSheet, "labels", false);
-    document.setActiveSheet(1);
+    document.setActiveSheet(test::kSubdivision);
     EXPECT_FALSE(document.isModified());
     EXPECT_EQ(steps(), 0);
 }
@@ -184,7 +184,7 @@ TEST_F(OpenDocumentTest, clearingTheCanvasIsOneStep) {
 
 TEST_F(OpenDocumentTest, aHistoryBelongsToItsSheet) {
     document.change(kElevationSheet, serial, withFirstAt({1, 1}), kMove);
-    document.setActiveSheet(1);
+    document.setActiveSheet(test::kSubdivision);
     document.undo();
     EXPECT_EQ(curve(), withFirstAt({1, 1}));
 }
@@ -291,25 +291,25 @@ TEST_F(OpenDocumentTest, dividingACurveIsOneStepAndIsRefusedAsAWhole) {
     whole.points = {{0, 0}, {1, 1}, {2, 0}};
     whole.multiplicity.assign(3, 1);
     Document start;
-    start.sheets[1].curves = test::curves({whole, whole});
+    start.sheets[test::kSubdivision].curves = test::curves({whole, whole});
     document.replace(start);
-    const Serial first = document.serials(1)[0];
+    const Serial first = document.serials(test::kSubdivision)[0];
     const auto parts = *dividedAtCut(whole);
     EXPECT_TRUE(document.divide(1, first, parts[0], parts[1], kMove));
-    EXPECT_EQ(document.sheet(1).curves, test::curves({parts[0], parts[1], whole}));
-    EXPECT_EQ(document.activeCurve(1), first);
-    EXPECT_EQ(document.history(1).count(), 1);
-    document.setActiveSheet(1);
+    EXPECT_EQ(document.sheet(test::kSubdivision).curves, test::curves({parts[0], parts[1], whole}));
+    EXPECT_EQ(document.activeCurve(test::kSubdivision), first);
+    EXPECT_EQ(document.history(test::kSubdivision).count(), 1);
+    document.setActiveSheet(test::kSubdivision);
     document.undo();
-    EXPECT_EQ(document.sheet(1).curves, test::curves({whole, whole}));
+    EXPECT_EQ(document.sheet(test::kSubdivision).curves, test::curves({whole, whole}));
     document.redo();
-    EXPECT_EQ(document.sheet(1).curves.size(), 3u);
+    EXPECT_EQ(document.sheet(test::kSubdivision).curves.size(), 3u);
 
-    start.sheets[1].curves.assign(limits::kCurvesInSheet, Curve(whole));
+    start.sheets[test::kSubdivision].curves.assign(limits::kCurvesInSheet, Curve(whole));
     document.replace(start);
-    EXPECT_FALSE(document.divide(1, document.serials(1)[0], parts[0], parts[1], kMove));
-    EXPECT_EQ(document.sheet(1).curves, start.sheets[1].curves);
-    EXPECT_EQ(document.history(1).count(), 0);
+    EXPECT_FALSE(document.divide(1, document.serials(test::kSubdivision)[0], parts[0], parts[1], kMove));
+    EXPECT_EQ(document.sheet(test::kSubdivision).curves, start.sheets[test::kSubdivision].curves);
+    EXPECT_EQ(document.history(test::kSubdivision).count(), 0);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/io/svg/svg_reader.h"
 #include "core/io/svg/svg_writer.h"
 #include "tests/support/any_document.h"
+#include "tests/support/sheet_curves.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -41,7 +42,7 @@ std::string repeated(std::string_view text, int times) {
 
 RC_GTEST_PROP(SvgReader, givesTheDocumentBackBitForBit, ()) {
     const Document document = *test::anyDocument();
-    for (const SheetIndex sheet : {SheetIndex(0), SheetIndex(1)}) {
+    for (const SheetIndex sheet : {test::kElevation, test::kSubdivision}) {
         const auto read = readAnyDocument(writeSheetSvg(document, sheet, kTexts));
         RC_ASSERT(std::holds_alternative<Document>(read));
         // The text tells -0.0 from 0.0, which compare equal.

@@ -2,6 +2,7 @@
 #include "core/io/json/document_json.h"
 #include "core/io/svg/svg_writer.h"
 #include "tests/support/any_document.h"
+#include "tests/support/sheet_curves.h"
 
 #include <gtest/gtest.h>
 #include <pugixml.hpp>
@@ -25,15 +26,15 @@ const TextSource kWriterTexts{
 Document documentOf(std::vector<Points> polygons) {
     Document document;
     for (Points& points : polygons)
-        document.sheets[0].curves.emplace_back(ElevationCurve{"", std::move(points), 0, {}, {}});
+        document.sheets[test::kElevation].curves.emplace_back(ElevationCurve{"", std::move(points), 0, {}, {}});
     return document;
 }
 
 std::string svgOf(const Document& document, const DrawingOptions& drawing = {}) {
-    return writeSheetSvg(document, 0, kWriterTexts, drawing);
+    return writeSheetSvg(document, test::kElevation, kWriterTexts, drawing);
 }
 std::string svgWithoutDocument(const Document& document, const SvgOptions& options = {}) {
-    return writeSvg(drawingOf(document, 0, kWriterTexts), kWriterTexts, options);
+    return writeSvg(drawingOf(document, test::kElevation, kWriterTexts), kWriterTexts, options);
 }
 
 pugi::xml_document parsed(const std::string& svg) {
@@ -51,7 +52,7 @@ TEST(SvgWriter, statesItsSizeInMillimetresAndTheViewBoxInTheSameNumbers) {
 
 TEST(SvgWriter, writesOneGroupForEachLayerAndOnePathForEachShownCurve) {
     Document document = documentOf({kArch, {{0, 0}, {1, 1}}, {{2, 0}, {5, 1}, {3, 2}}});
-    document.sheets[0].curves[1] = withView(document.sheets[0].curves[1], {false});
+    document.sheets[test::kElevation].curves[1] = withView(document.sheets[test::kElevation].curves[1], {false});
     const pugi::xml_document xml = parsed(svgOf(document));
     const pugi::xml_node curves = xml.document_element().find_child_by_attribute("g", "id", "layer-curve");
     std::vector<std::string> ids;
@@ -172,7 +173,7 @@ TEST(SvgWriter, namesThePathOfEveryCurveOfEverySheet) {
 
 RC_GTEST_PROP(SvgWriter, isWellFormedAndWithoutExponentsAndTheSameTwice, ()) {
     const Document document = *test::anyDocument();
-    for (const SheetIndex sheet : {SheetIndex(0), SheetIndex(1)}) {
+    for (const SheetIndex sheet : {test::kElevation, test::kSubdivision}) {
         const std::string svg = writeSheetSvg(document, sheet, kWriterTexts);
         RC_ASSERT(svg == writeSheetSvg(document, sheet, kWriterTexts));
         pugi::xml_document xml;

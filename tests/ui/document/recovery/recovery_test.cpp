@@ -1,4 +1,5 @@
 #include "core/io/json/document_json.h"
+#include "tests/support/sheet_curves.h"
 #include "ui/document/recovery/recovery.h"
 #include "ui/document/state_folder.h"
 
@@ -17,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr SheetIndex kSheet = 0;
+constexpr SheetIndex kSheet = kSheetOf<ElevationCurve>;
 const StepLabel kEdit{"Move point %1", 3};
 constexpr int kPatience = 60'000; // ms until a signal that does not come is a failure
 
@@ -85,8 +86,8 @@ TEST_F(RecoveryTest, keepsWhatIsUnsavedUntilItIsSaved) {
 }
 
 TEST_F(RecoveryTest, keepsNothingOfADocumentThatIsSaved) {
-    document.setActiveSheet(1);
-    document.setViewNumbers(2, kCombScale, {3});
+    document.setActiveSheet(test::kSubdivision);
+    document.setViewNumbers(test::kSpline, kCombScale, {3});
     QCoreApplication::processEvents();
     ASSERT_TRUE(settle());
     EXPECT_EQ(names(), QStringList());
