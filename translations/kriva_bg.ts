@@ -1194,8 +1194,8 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>отчетът побира най-много %1 точки на схеми на дьо Кастелжо от лист, а тези са %2</translation>
     </message>
     <message>
-        <source>a report or a figure takes at most %1 pieces of combined curves of a sheet, and these are %2</source>
-        <translation>отчетът или фигурата побира най-много %1 части на комбинирани криви от един раздел, а те са %2</translation>
+        <source>a report or a figure takes at most %1 pieces of the curves of a sheet, and these are %2</source>
+        <translation>отчетът или фигурата побира най-много %1 части на кривите от един раздел, а те са %2</translation>
     </message>
     <message>
         <source>the encoding “%1” cannot be read</source>

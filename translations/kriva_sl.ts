@@ -1196,8 +1196,8 @@ Izhodne kode: 0 opravljeno, 1 neuspeh, 2 napačna raba, 3 vhod zavrnjen, 4 izhod
         <translation>poročilo sprejme največ %1 točk de Casteljaujevih shem lista, teh pa je %2</translation>
     </message>
     <message>
-        <source>a report or a figure takes at most %1 pieces of combined curves of a sheet, and these are %2</source>
-        <translation>poročilo ali slika sprejme največ %1 kosov sestavljenih krivulj enega zavihka, teh pa je %2</translation>
+        <source>a report or a figure takes at most %1 pieces of the curves of a sheet, and these are %2</source>
+        <translation>poročilo ali slika sprejme največ %1 kosov krivulj enega zavihka, teh pa je %2</translation>
     </message>
     <message>
         <source>the encoding “%1” cannot be read</source>

@@ -1195,8 +1195,8 @@ kriva report FILE [--format json|text] [--sheet NAME]
         <translation>звіт приймає щонайбільше %1 точок схем де Кастельжо аркуша, а їх %2</translation>
     </message>
     <message>
-        <source>a report or a figure takes at most %1 pieces of combined curves of a sheet, and these are %2</source>
-        <translation>звіт або рисунок вміщує щонайбільше %1 частин комбінованих кривих однієї вкладки, а їх %2</translation>
+        <source>a report or a figure takes at most %1 pieces of the curves of a sheet, and these are %2</source>
+        <translation>звіт або рисунок вміщує щонайбільше %1 частин кривих однієї вкладки, а їх %2</translation>
     </message>
     <message>
         <source>the encoding “%1” cannot be read</source>

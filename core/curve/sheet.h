@@ -161,13 +161,9 @@ concept LimitsOutput = requires(std::span<const C* const> curves, Output output)
     { outputLimitError(curves, output) } -> std::same_as<std::optional<FileError>>;
 };
 
-/// True, or an error of the compiler that names what is missing, and capabilities that are there and not named.
+/// True, or an error of the compiler for a capability that is named and not there, or there and not named.
 template <class C>
-consteval bool isSheet() {
-    static_assert(SheetValue<C>);
-    static_assert(SheetPoints<C>);
-    static_assert(SheetEdits<C>);
-    static_assert(SheetOutput<C>);
+consteval bool hasItsCapabilities() {
     if constexpr (C::kCapabilities.handles)
         static_assert(PullsHandles<C>);
     else
@@ -201,6 +197,16 @@ consteval bool isSheet() {
     else
         static_assert(!LimitsOutput<C>, "kCapabilities does not name outputLimits");
     return true;
+}
+
+/// True, or an error of the compiler that names what is missing.
+template <class C>
+consteval bool isSheet() {
+    static_assert(SheetValue<C>);
+    static_assert(SheetPoints<C>);
+    static_assert(SheetEdits<C>);
+    static_assert(SheetOutput<C>);
+    return hasItsCapabilities<C>();
 }
 
 } // namespace kriva

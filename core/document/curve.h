@@ -34,6 +34,17 @@ class Curve : public CurveKinds {
 using SheetIndex = std::size_t;
 inline constexpr SheetIndex kSheetCount = std::variant_size_v<CurveKinds>;
 
+template <class C, class... Kinds>
+consteval SheetIndex placeAmong(std::type_identity<std::variant<Kinds...>>) {
+    SheetIndex place = 0;
+    (void)((std::same_as<C, Kinds> || (++place, false)) || ...);
+    return place;
+}
+/// The sheet of a kind of curve.
+template <class C>
+requires isAmong<C, CurveKinds>
+inline constexpr SheetIndex kSheetOf = placeAmong<C>(std::type_identity<CurveKinds>());
+
 /// A curve of the sheet's kind without points.
 [[nodiscard]] const Curve& emptyCurve(SheetIndex sheet);
 

@@ -113,8 +113,11 @@ Figure figureOf(const Sheet& sheet, SheetIndex index, const Relations& relations
     Figure figure = figureOfCurves(sheet, index, stage);
     if (relations.figure.layers.empty())
         return figure;
-    const std::span<const LayerInfo> layers = layersOf(index);
-    return united({std::move(figure), shownLayers(relations.figure, layers, {.view = &sheet.view})}, layers);
+    return united({std::move(figure), figureOfRelations(sheet, index, relations)}, layersOf(index));
+}
+
+Figure figureOfRelations(const Sheet& sheet, SheetIndex index, const Relations& relations) {
+    return shownLayers(relations.figure, layersOf(index), {.view = &sheet.view});
 }
 
 Relations shownRelations(const Sheet& sheet, SheetIndex index, WorkBudget& budget) {

@@ -31,7 +31,9 @@ namespace kriva {
                               std::optional<int> stage = {});
 /// What the curves have with each other if the view shows it, otherwise empty, and where it was stopped.
 [[nodiscard]] Relations shownRelations(const Sheet& sheet, SheetIndex index, WorkBudget& budget);
-/// The same without the relations of the curves: quick, and of the same box.
+/// What the view shows of these relations.
+[[nodiscard]] Figure figureOfRelations(const Sheet& sheet, SheetIndex index, const Relations& relations);
+/// The figure without the relations of the curves: quick, and of the same box.
 [[nodiscard]] Figure figureOfCurves(const Sheet& sheet, SheetIndex index, std::optional<int> stage = {});
 
 } // namespace kriva

@@ -9,8 +9,8 @@
 
 namespace kriva {
 
-/// The kinds of curves in the order of their sheets. A further sheet is one more here, and nothing else in core names
-/// one.
+/// The kinds of curves in the order of their sheets. A further sheet is one more here: nothing else in core names a sheet
+/// but what compares several of them.
 using CurveKinds = std::variant<ElevationCurve, SubdivisionCurve, SplineCurve, CombinedCurve>;
 
 } // namespace kriva

@@ -12,6 +12,7 @@ class Caption {
     /// English; empty for none.
     [[nodiscard]] constexpr const char* words() const { return words_; }
     friend constexpr bool operator==(Caption a, Caption b) { return std::string_view(a.words_) == b.words_; }
+    friend constexpr auto operator<=>(Caption a, Caption b) { return std::string_view(a.words_) <=> b.words_; }
 
     // NOLINTBEGIN(readability-identifier-naming): they are used, and read, like the enumerators of a list
     static const Caption none;

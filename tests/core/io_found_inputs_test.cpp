@@ -12,7 +12,7 @@
 namespace kriva {
 namespace {
 
-constexpr SheetIndex kSpline = 2;
+constexpr SheetIndex kSpline = kSheetOf<SplineCurve>;
 
 std::string bytesOf(std::string_view name) {
     std::ifstream file(std::string(KRIVA_TEST_DATA "/found/").append(name), std::ios::binary);

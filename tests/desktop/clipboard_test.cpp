@@ -20,7 +20,7 @@ QByteArray pastedElsewhere(const char* type) {
 
 TEST(ClipboardOfTheDesktop, deliversACopiedFigureInAllThreeFormats) {
     test::TestWindow shell;
-    shell.shown(0);
+    shell.shown(test::kElevation);
     shell.window.findChild<QAction*>(QStringLiteral("copyFigure"))->trigger();
     const QByteArray types = pastedElsewhere("TARGETS");
     for (const char* type : {"image/svg+xml", "application/pdf", "image/png"})

@@ -65,7 +65,7 @@ class KeyboardTest : public testing::Test {
         return QTest::qWaitFor(condition, 5000);
     }
     SheetTab& spline() {
-        SheetTab& tab = shell.shown(2);
+        SheetTab& tab = shell.shown(test::kSpline);
         tab.canvas().setFocus();
         return tab;
     }

@@ -2,6 +2,7 @@
 
 #include "core/curve/limits.h"
 #include "core/document/document.h"
+#include "tests/support/sheet_curves.h"
 
 #include <rapidcheck.h>
 
@@ -54,7 +55,7 @@ inline rc::Gen<Document> anyDocument() {
             raised.points = *anyPoints();
             raised.times = *rc::gen::inRange(0, 5);
             raised.view.isShown = *rc::gen::arbitrary<bool>();
-            document.sheets[0].curves.emplace_back(raised);
+            document.sheets[test::kElevation].curves.emplace_back(raised);
             SubdivisionCurve cut;
             cut.points = *anyPoints();
             cut.multiplicity.assign(cut.points.size(), *rc::gen::inRange(1, 3));
@@ -65,7 +66,7 @@ inline rc::Gen<Document> anyDocument() {
             cut.style.marker = *rc::gen::element<std::optional<Marker>>(std::nullopt, Marker::none, Marker::circle,
                                                                         Marker::square, Marker::diamond);
             cut.style.hasLabels = *rc::gen::arbitrary<bool>();
-            document.sheets[1].curves.emplace_back(cut);
+            document.sheets[test::kSubdivision].curves.emplace_back(cut);
             SplineCurve chain;
             for (const Point p : *anyPoints())
                 chain.knots.push_back({p, SplineKnot::Join::automatic, {}, {}});
@@ -73,15 +74,15 @@ inline rc::Gen<Document> anyDocument() {
                                            SplineCurve::Rule::clamped, SplineCurve::Rule::catmullRom);
             chain.degree = *rc::gen::inRange(2, 6);
             chain.closed = *rc::gen::arbitrary<bool>();
-            document.sheets[2].curves.emplace_back(chain);
+            document.sheets[test::kSpline].curves.emplace_back(chain);
             CombinedCurve runs;
             runs.points = *anyPoints();
             runs.method = *rc::gen::element(CombinedCurve::Method::approximation, CombinedCurve::Method::interpolation,
                                             CombinedCurve::Method::pairs);
-            document.sheets[3].curves.emplace_back(runs);
+            document.sheets[test::kCombined].curves.emplace_back(runs);
         }
-        document.sheets[0].view.layers["labels"] = *rc::gen::arbitrary<bool>();
-        document.sheets[1].view =
+        document.sheets[test::kElevation].view.layers["labels"] = *rc::gen::arbitrary<bool>();
+        document.sheets[test::kSubdivision].view =
             withNumbers({}, kFurtherParameters,
                         *rc::gen::elementOf(std::vector<std::vector<double>>{{}, {0.5}, {1.0 / 3, 5e-324}}));
         FigureFileOptions written;
@@ -107,9 +108,10 @@ inline rc::Gen<Document> anyDocument() {
         written.isAnimated = *rc::gen::arbitrary<bool>();
         written.frameSeconds = *rc::gen::element(0.5, 0.01, 60.0);
         if (*rc::gen::arbitrary<bool>())
-            document.sheets[1].view.exported = written;
+            document.sheets[test::kSubdivision].view.exported = written;
         const SheetView withPoints = withNumbers({}, kPolylinePoints, {*rc::gen::element(2.0, 8.0, 100.0)});
-        document.sheets[2].view = withNumbers(withPoints, kCombScale, {*rc::gen::element(1.0, 0.01, 2.0 / 3, 100.0)});
+        document.sheets[test::kSpline].view =
+            withNumbers(withPoints, kCombScale, {*rc::gen::element(1.0, 0.01, 2.0 / 3, 100.0)});
         return document;
     });
 }

@@ -23,7 +23,7 @@ class GestureTest {
         figure.active = sheet;
         for (SheetIndex i = 0; i < kSheetCount; ++i)
             figure.sheets[i].curves.push_back(arc(i));
-        figure.sheets[1].view.layers["curve"] = true;
+        figure.sheets[test::kSubdivision].view.layers["curve"] = true;
         window.window.session().show(std::move(figure));
         window.shown(sheet);
         canvas.setMapping({.scale = 40, .centre = {4, 2}, .size = QSizeF(canvas.viewport()->size()), .unitScale = 40});

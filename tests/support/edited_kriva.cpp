@@ -88,7 +88,7 @@ class Hand : public QObject {
         for (ui::MainWindow* window : windows()) {
             print("window " + window->windowTitle().toStdString());
             print(window->isWindowModified() ? "modified" : "saved");
-            const auto& curves = window->document().sheet(0).curves;
+            const auto& curves = window->document().sheet(test::kElevation).curves;
             print(QString::number(curves.empty() ? 0 : pointAt(curves[0], 0).x).toStdString());
         }
         print("looked");
@@ -99,7 +99,7 @@ class Hand : public QObject {
             sinceFirst_.start();
         ++x_;
         ui::OpenDocument& document = window.document();
-        const Serial serial = document.serials(0).at(0);
+        const Serial serial = document.serials(test::kElevation).at(0);
         const Curve& curve = *document.find(0, serial);
         Curve moved = withGripsMoved(curve, std::array{grips(curve).at(0).id}, {x_ - pointAt(curve, 0).x, 0});
         if (document.hasGesture())
@@ -111,9 +111,9 @@ class Hand : public QObject {
 
     void begin(ui::MainWindow& window) {
         if (how_ == QLatin1String("drag")) {
-            window.document().setActiveSheet(0);
-            QWidget* canvas = window.tab(0).canvas().viewport();
-            const QPoint at = test::pixelOf(window.tab(0), 1);
+            window.document().setActiveSheet(test::kElevation);
+            QWidget* canvas = window.tab(test::kElevation).canvas().viewport();
+            const QPoint at = test::pixelOf(window.tab(test::kElevation), 1);
             QTest::mousePress(canvas, Qt::LeftButton, {}, at);
             QTest::mouseMove(canvas, at + QPoint(20, 20));
             print(window.document().hasGesture() ? "begun" : "no drag");

@@ -16,6 +16,12 @@ struct AnyCurve : Curve {
         : Curve(std::move(curve)) {}
 };
 
+// The sheets by name, wherever they stand among the others.
+inline constexpr SheetIndex kElevation = kSheetOf<ElevationCurve>;
+inline constexpr SheetIndex kSubdivision = kSheetOf<SubdivisionCurve>;
+inline constexpr SheetIndex kSpline = kSheetOf<SplineCurve>;
+inline constexpr SheetIndex kCombined = kSheetOf<CombinedCurve>;
+
 /// The curves of a sheet.
 inline std::vector<Curve> curves(std::initializer_list<AnyCurve> some) {
     return {some.begin(), some.end()};

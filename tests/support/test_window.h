@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/sheet_catalog.h"
+#include "tests/support/sheet_curves.h"
 #include "ui/base/examples.h"
 #include "ui/base/language/language.h"
 #include "ui/base/look/desktop_scheme.h"

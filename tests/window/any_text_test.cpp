@@ -58,7 +58,7 @@ class AnyText : public testing::Test {
         EXPECT_EQ(document, window_.window.document().value());
         EXPECT_EQ(writeDocument(document), bytes);
     }
-    [[nodiscard]] ui::SheetTab& tab() { return window_.window.tab(2); }
+    [[nodiscard]] ui::SheetTab& tab() { return window_.window.tab(test::kSpline); }
     [[nodiscard]] std::string lastName() { return nameOf(tab().editor().sheet().curves.back()); }
 
     test::TestWindow window_;
@@ -66,7 +66,7 @@ class AnyText : public testing::Test {
 };
 
 TEST_F(AnyText, typedOrPastedAsTheNameOfACurveIsReadAgain) {
-    test::seeAllPanels(window_.shown(2));
+    test::seeAllPanels(window_.shown(test::kSpline));
     auto* list = tab().findChild<QListView*>(QStringLiteral("curves"));
     ASSERT_NE(list, nullptr);
     for (const QString& text : kindsOfText()) {
@@ -90,7 +90,7 @@ TEST_F(AnyText, typedOrPastedAsTheNameOfACurveIsReadAgain) {
 }
 
 TEST_F(AnyText, setAsTheNameOfACurveIsReadAgain) {
-    window_.shown(2);
+    window_.shown(test::kSpline);
     for (const QString& text : kindsOfText()) {
         tab().editor().renameCurve(tab().editor().activeSerial(), text);
         EXPECT_EQ(nameOf(*tab().editor().activeCurve()).find('\0'), std::string::npos);
@@ -102,7 +102,7 @@ TEST_F(AnyText, setAsTheNameOfACurveIsReadAgain) {
 }
 
 TEST_F(AnyText, pastedAsTheLabelOfAPathIsReadAgain) {
-    window_.shown(2);
+    window_.shown(test::kSpline);
     for (const QByteArray& label : kindsOfLabel()) {
         auto* clip = new QMimeData;
         clip->setData(QStringLiteral("image/svg+xml"), quoted(label));
@@ -129,7 +129,7 @@ TEST_F(AnyText, pastedAsTheLabelOfAPathIsReadAgain) {
 }
 
 TEST_F(AnyText, inAFragmentIsRefusedOrReadAgain) {
-    window_.shown(2);
+    window_.shown(test::kSpline);
     for (const QByteArray& name : {QByteArray("\xE4"), QByteArray("\\ud800"), QByteArray("\\udc00a"),
                                    QByteArray("\\u0000"), QByteArray("\\ud83d\\ude42"), QByteArray("\\u009b")}) {
         auto* clip = new QMimeData;

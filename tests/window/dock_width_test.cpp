@@ -50,7 +50,7 @@ TEST(DockWidth, andHeightAreTheSameWhenTheProgramStartsAgain) {
     std::map<std::string, QSize> before;
     {
         TestWindow window;
-        SheetTab& tab = window.shown(0);
+        SheetTab& tab = window.shown(test::kElevation);
         const auto dock = [&](const QString& name) { return tab.findChild<QDockWidget*>(name); };
         tab.resizeDocks({dock(QStringLiteral("properties")), dock(QStringLiteral("results"))}, {420, 250},
                         Qt::Vertical);
@@ -62,7 +62,7 @@ TEST(DockWidth, andHeightAreTheSameWhenTheProgramStartsAgain) {
     EXPECT_EQ(again.window.document().value().active, 0U) << "it is shown together with its window";
     test::settle();
     constexpr double kRounding = 2; // px, of Qt's own
-    for (const auto& [dock, size] : sizesOfDocks(again.window.tab(0))) {
+    for (const auto& [dock, size] : sizesOfDocks(again.window.tab(test::kElevation))) {
         EXPECT_NEAR(size.width(), before.at(dock).width(), kRounding) << dock;
         EXPECT_NEAR(size.height(), before.at(dock).height(), kRounding) << dock;
     }

@@ -38,10 +38,11 @@ class DocumentSessionTest : public testing::Test {
 
     static Document documentAt(double x) {
         Document document;
-        document.sheets[0].curves = {withPointsAdded(emptyCurve(0), Points{{x, 0}, {1, 2}, {3, 0}})};
+        document.sheets[test::kElevation].curves = {
+            withPointsAdded(emptyCurve(test::kElevation), Points{{x, 0}, {1, 2}, {3, 0}})};
         return document;
     }
-    void edit() { window.shown(0).editor().addPoint({5, 5}); }
+    void edit() { window.shown(test::kElevation).editor().addPoint({5, 5}); }
     [[nodiscard]] static QByteArray bytesOf(const QString& path) {
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();

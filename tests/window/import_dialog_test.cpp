@@ -8,8 +8,8 @@
 namespace kriva::ui {
 namespace {
 
-constexpr SheetIndex kSpline = 2;
-constexpr SheetIndex kElevation = 0;
+constexpr SheetIndex kSpline = kSheetOf<SplineCurve>;
+constexpr SheetIndex kElevation = kSheetOf<ElevationCurve>;
 
 const Path kArch{{{0, 0}, {1, 2}, {3, 2}, {4, 0}}, {3}, false};
 const Path kLine{{{0, 0}, {1, 0}}, {1}, false};

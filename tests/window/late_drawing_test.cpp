@@ -9,7 +9,7 @@
 namespace kriva {
 namespace {
 
-constexpr SheetIndex kCombined = 3;
+constexpr SheetIndex kCombined = kSheetOf<CombinedCurve>;
 const ui::StepLabel kStep{"Move"};
 
 /// A run for each point: a frame has no time for so many.

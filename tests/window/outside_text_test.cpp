@@ -114,8 +114,8 @@ TEST_F(OutsideText, ofADocumentIsShownLetterByLetterInEveryTabAndPanel) {
         lookAtEverything();
     }
     EXPECT_TRUE(window.window.windowTitle().contains(trap_.htmlWithoutSlashes()));
-    window.window.document().setActiveSheet(0);
-    window.window.tab(0).editor().addPoint({7, 7});
+    window.window.document().setActiveSheet(test::kElevation);
+    window.window.tab(test::kElevation).editor().addPoint({7, 7});
     lookAtNextBox(QMessageBox::Cancel);
     EXPECT_FALSE(window.window.session().mayClose());
     EXPECT_TRUE(boxText_.contains(trap_.htmlWithoutSlashes())) << boxText_.toStdString();
@@ -201,7 +201,7 @@ TEST_F(OutsideText, ofAFileThatCannotBeSavedStandsInTheMessage) {
 
 TEST_F(OutsideText, pastedStandsInTheStatusRow) {
     test::TestWindow window;
-    ui::SheetTab& tab = window.shown(0);
+    ui::SheetTab& tab = window.shown(test::kElevation);
     const auto told = [&] { return window.window.findChild<QLabel*>(QStringLiteral("hint"))->text(); };
     QGuiApplication::clipboard()->setText(QStringLiteral("1,2\n3,") + trap_.htmlWithoutQuotes());
     QTest::keyClick(&tab.canvas(), Qt::Key_V, Qt::ControlModifier);
@@ -215,7 +215,7 @@ TEST_F(OutsideText, pastedStandsInTheStatusRow) {
 
 TEST_F(OutsideText, pastedIsRefusedWithThePlaceInItAndNoPathIntoADocument) {
     test::TestWindow window;
-    ui::SheetTab& tab = window.shown(2);
+    ui::SheetTab& tab = window.shown(test::kSpline);
     const auto pasted = [&](const QString& text) {
         QGuiApplication::clipboard()->setText(text);
         QTest::keyClick(&tab.canvas(), Qt::Key_V, Qt::ControlModifier);
@@ -303,13 +303,13 @@ TEST_F(OutsideText, ofANameOfAFileIsNotTurnedAroundInTheListsOfTheFileDialog) {
 
 TEST_F(OutsideText, whatAnEditIsRefusedForIsSaidWithoutAPathIntoADocument) {
     test::TestWindow window;
-    ui::SheetTab& tab = window.shown(3);
+    ui::SheetTab& tab = window.shown(test::kCombined);
     CombinedCurve curve;
     for (int i = 0; i < 300; ++i)
         curve.points.push_back({static_cast<double>(i), static_cast<double>(i % 3)});
     Document document;
-    document.active = 3;
-    document.sheets[3].curves = test::curves({curve});
+    document.active = test::kCombined;
+    document.sheets[test::kCombined].curves = test::curves({curve});
     window.window.session().show(document);
     curve.method = CombinedCurve::Method::interpolation;
     const Serial serial = tab.editor().activeSerial();

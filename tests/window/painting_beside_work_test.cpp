@@ -18,8 +18,8 @@ Document randomSpline(int knots) {
     for (int i = 0; i < knots; ++i)
         curve.knots.push_back({{anywhere(random), anywhere(random)}, {}, {}, {}});
     Document document;
-    document.active = 2;
-    document.sheets[2].curves = test::curves({curve});
+    document.active = test::kSpline;
+    document.sheets[test::kSpline].curves = test::curves({curve});
     return document;
 }
 
@@ -52,7 +52,7 @@ class PaintingBesideWorkTest : public testing::Test {
     }
 
     test::TestWindow shell;
-    ui::SheetTab& tab = shell.shown(2);
+    ui::SheetTab& tab = shell.shown(test::kSpline);
 };
 
 // None of these would come back if painting waited for what is worked out.
@@ -69,7 +69,7 @@ TEST_F(PaintingBesideWorkTest, firstPaintAndDragsWaitForNoWork) {
         paint();
     }
     QTest::mouseRelease(canvas, Qt::LeftButton, {}, start + QPoint(50, 50));
-    EXPECT_EQ(shell.steps(2), 1);
+    EXPECT_EQ(shell.steps(test::kSpline), 1);
 }
 
 TEST_F(PaintingBesideWorkTest, nothingIsWorkedOutOnTheThreadsThatPaintingWaitsFor) {

@@ -122,7 +122,7 @@ QString Errors::limitReason(const FileError& error) {
     case FileProblem::tooManyIntersections:
         return tr("the curves have too many intersections to work out");
     case FileProblem::tooManyPathPieces:
-        return tr("a report or a figure takes at most %1 pieces of combined curves of a sheet, and these are %2")
+        return tr("a report or a figure takes at most %1 pieces of the curves of a sheet, and these are %2")
             .arg(number(error, 0), number(error, 1));
     case FileProblem::tooManyPairs:
         return tr("the interpolated runs have more than %1 pairs of points").arg(number(error, 0));

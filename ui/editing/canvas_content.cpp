@@ -83,7 +83,7 @@ std::uint64_t CanvasContent::stepsToDraw(Serial serial) const {
 CanvasCurve CanvasContent::relations() const {
     CanvasCurve shown;
     shown.isOnTop = true;
-    shown.figure = shownLayers(relations_.relations().figure, layersOf(sheet_.index()), {.view = &sheet_.sheet().view});
+    shown.figure = figureOfRelations(sheet_.sheet(), sheet_.index(), relations_.relations());
     return shown;
 }
 

@@ -1,4 +1,5 @@
 #include "app/commands/command_line.h"
+#include "tests/support/sheet_curves.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +36,7 @@ TEST(CommandLine, understandsExportInAnyOrder) {
         const ExportRequest request = std::get<ExportRequest>(parsed(line));
         EXPECT_EQ(request.files, QStringList(QStringLiteral("in.kriva")));
         EXPECT_EQ(request.output, QStringLiteral("out.svg"));
-        EXPECT_EQ(request.sheet, SheetIndex(0));
+        EXPECT_EQ(request.sheet, test::kElevation);
     }
     EXPECT_FALSE(std::get<ExportRequest>(parsed("export in.kriva -o out.SVG")).sheet);
 }
@@ -95,7 +96,7 @@ TEST(CommandLine, understandsImport) {
         std::get<ImportRequest>(parsed("import a.svg - -o b.kriva --sheet combined --scale 0.5 --offset=-1,2.5"));
     EXPECT_EQ(request.files, (QStringList{QStringLiteral("a.svg"), QStringLiteral("-")}));
     EXPECT_EQ(request.output, QStringLiteral("b.kriva"));
-    EXPECT_EQ(request.sheet, SheetIndex(3));
+    EXPECT_EQ(request.sheet, test::kCombined);
     EXPECT_EQ(request.placing, (Placing{0.5, {-1, 2.5}}));
     EXPECT_EQ(std::get<ImportRequest>(parsed("import a -o b --sheet spline")).placing, Placing());
     for (const char* line : {"import -o b --sheet spline", "import a --sheet spline", "import a -o b",

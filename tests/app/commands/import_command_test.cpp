@@ -1,5 +1,6 @@
 #include "core/io/json/document_json.h"
 #include "tests/support/program.h"
+#include "tests/support/sheet_curves.h"
 
 namespace kriva {
 namespace {
@@ -23,8 +24,8 @@ TEST_F(ImportCommand, makesADocumentOfAllPaths) {
     write("c.csv", "x;y\n0,5;1\n2;3\n");
     EXPECT_EQ(run("import a.svg b.txt c.csv -o out.kriva --sheet spline").code, 0);
     const Document made = document("out.kriva");
-    EXPECT_EQ(made.active, SheetIndex(2));
-    const std::vector<const SplineCurve*> curves = curvesOf<SplineCurve>(made.sheets[2]);
+    EXPECT_EQ(made.active, test::kSpline);
+    const std::vector<const SplineCurve*> curves = curvesOf<SplineCurve>(made.sheets[test::kSpline]);
     ASSERT_EQ(curves.size(), 4U);
     EXPECT_EQ(segmentsOf(*curves[0]).front(), (Points{{0, 0}, {1, 2}, {3, 2}, {4, 0}}));
     EXPECT_TRUE(curves[1]->closed);
@@ -36,14 +37,15 @@ TEST_F(ImportCommand, makesADocumentOfAllPaths) {
 TEST_F(ImportCommand, bringsBackThePointsThatItExported) {
     EXPECT_EQ(run("export arch.kriva -o arch.csv").code, 0);
     EXPECT_EQ(run("import arch.csv -o back.kriva --sheet elevation").code, 0);
-    EXPECT_EQ(std::get<ElevationCurve>(document("back.kriva").sheets[0].curves[0]).points,
+    EXPECT_EQ(std::get<ElevationCurve>(document("back.kriva").sheets[test::kElevation].curves[0]).points,
               (Points{{0, 0}, {1, 2}, {3, 2}, {4, 0.5}}));
 }
 
 TEST_F(ImportCommand, scalesAndMoves) {
     write("a.csv", "1 2\n3 4\n");
     EXPECT_EQ(run("import a.csv -o out.kriva --sheet combined --scale 2 --offset 10,-1").code, 0);
-    EXPECT_EQ(std::get<CombinedCurve>(document("out.kriva").sheets[3].curves[0]).points, (Points{{12, 3}, {16, 7}}));
+    EXPECT_EQ(std::get<CombinedCurve>(document("out.kriva").sheets[test::kCombined].curves[0]).points,
+              (Points{{12, 3}, {16, 7}}));
 }
 
 TEST_F(ImportCommand, namesTheFileAndTheLimitWhereItHasTooManyPaths) {

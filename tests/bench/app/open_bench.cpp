@@ -19,12 +19,12 @@ Document randomSplines(int curves, int knots) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> anywhere(0, 100);
     Document document;
-    document.active = 2;
+    document.active = test::kSpline;
     for (int i = 0; i < curves; ++i) {
         SplineCurve curve;
         for (int k = 0; k < knots; ++k)
             curve.knots.push_back({{anywhere(random), anywhere(random)}, {}, {}, {}});
-        document.sheets[2].curves.emplace_back(std::move(curve));
+        document.sheets[test::kSpline].curves.emplace_back(std::move(curve));
     }
     return document;
 }

@@ -11,10 +11,11 @@ namespace {
 /// Through 97 elevations of a cubic and back again, with all polygons so far where `hasAllPolygons`.
 void playElevations(benchmark::State& state, bool hasAllPolygons) {
     test::TestWindow shell;
-    ui::SheetTab& tab = shell.shown(0);
+    ui::SheetTab& tab = shell.shown(test::kElevation);
     Document document;
-    document.sheets[0].curves.emplace_back(ElevationCurve{"", {{0, 0}, {4, 8}, {12, 8}, {16, 0}}, 0, {}, {}});
-    document.sheets[0].view.layers["all-polygons"] = hasAllPolygons;
+    document.sheets[test::kElevation].curves.emplace_back(
+        ElevationCurve{"", {{0, 0}, {4, 8}, {12, 8}, {16, 0}}, 0, {}, {}});
+    document.sheets[test::kElevation].view.layers["all-polygons"] = hasAllPolygons;
     shell.window.document().replace(std::move(document));
     test::settle();
     ui::Player& player = *tab.findChild<ui::Player*>();

@@ -16,7 +16,7 @@ namespace {
 using namespace kriva;
 using namespace std::chrono_literals;
 
-constexpr SheetIndex kSpline = 2;
+constexpr SheetIndex kSpline = kSheetOf<SplineCurve>;
 
 void fill(ui::OpenDocument& document, std::int64_t points) {
     Document value;

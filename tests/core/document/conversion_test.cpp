@@ -1,5 +1,6 @@
 #include "core/document/conversion.h"
 #include "tests/support/any_document.h"
+#include "tests/support/sheet_curves.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -28,18 +29,19 @@ TEST(Conversion, leavesBehindWhatOnlyOneSheetKnows) {
     cut.multiplicity = {1, 3};
     cut.levels = 4;
     cut.view.isShown = false;
-    const auto chain = std::get<SplineCurve>(converted(Curve(cut), 2));
+    const auto chain = std::get<SplineCurve>(converted(Curve(cut), test::kSpline));
     SplineCurve expected;
     expected.knots = {{{0, 0}, {}, {}, {}}, {{1, 1}, {}, {}, {}}};
     EXPECT_EQ(chain, expected);
-    EXPECT_EQ(std::get<SubdivisionCurve>(converted(Curve(chain), 1)).multiplicity, (std::vector<int>{1, 1}));
+    EXPECT_EQ(std::get<SubdivisionCurve>(converted(Curve(chain), test::kSubdivision)).multiplicity,
+              (std::vector<int>{1, 1}));
 }
 
 TEST(Conversion, ofACurveOfTheSameSheetChangesNothing) {
     SubdivisionCurve cut;
     cut.points = {{0, 0}};
     cut.multiplicity = {3};
-    EXPECT_EQ(converted(Curve(cut), 1), Curve(cut));
+    EXPECT_EQ(converted(Curve(cut), test::kSubdivision), Curve(cut));
 }
 
 } // namespace

@@ -6,7 +6,7 @@
 namespace kriva {
 namespace {
 
-constexpr SheetIndex kCombined = 3;
+constexpr SheetIndex kCombined = kSheetOf<CombinedCurve>;
 
 CombinedCurve wave(std::size_t points) {
     CombinedCurve curve;

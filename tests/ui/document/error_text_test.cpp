@@ -11,8 +11,8 @@
 namespace kriva::ui {
 namespace {
 
-constexpr SheetIndex kElevation = 0;
-constexpr SheetIndex kSpline = 2;
+constexpr SheetIndex kElevation = kSheetOf<ElevationCurve>;
+constexpr SheetIndex kSpline = kSheetOf<SplineCurve>;
 
 std::string repeated(std::string_view text, int times) {
     std::string all;

@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(InEachTab, AddToolInEachTab, testing::Range<SheetIndex>
 class AddToolOnSplines : public GestureTest, public testing::Test {
   protected:
     AddToolOnSplines()
-        : GestureTest(2) {
+        : GestureTest(test::kSpline) {
         canvas.setTool(Tool::add);
     }
 };

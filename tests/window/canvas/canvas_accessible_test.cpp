@@ -13,7 +13,7 @@ class CanvasAccessibleTest : public testing::Test {
     [[nodiscard]] QAccessibleInterface* point(int index) { return canvas()->child(0)->child(index); }
 
     test::TestWindow shell;
-    SheetTab& tab = shell.shown(2);
+    SheetTab& tab = shell.shown(test::kSpline);
     int pointCount = static_cast<int>(kriva::pointCount(*tab.editor().activeCurve()));
 };
 

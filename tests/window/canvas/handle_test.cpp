@@ -13,7 +13,7 @@ using Join = SplineKnot::Join;
 class HandleGesture : public GestureTest, public testing::Test {
   protected:
     HandleGesture()
-        : GestureTest(2) {
+        : GestureTest(test::kSpline) {
         use(held(Join::smooth));
     }
     [[nodiscard]] SplineCurve held(Join join) {

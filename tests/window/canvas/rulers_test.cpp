@@ -8,7 +8,7 @@ namespace {
 class RulersTest : public test::PanelTest {
   protected:
     RulersTest()
-        : PanelTest(0) {}
+        : PanelTest(test::kElevation) {}
     ~RulersTest() override {
         if (above.isVisible())
             toggle();
@@ -38,8 +38,8 @@ TEST_F(RulersTest, areShownByTheirKeyInAllTabsAndRemembered) {
     EXPECT_TRUE(above.isVisible());
     EXPECT_TRUE(atLeft.isVisible());
     EXPECT_TRUE(Preferences().areRulersShown());
-    EXPECT_TRUE(shell.shown(1).findChild<Ruler*>(QStringLiteral("rulerAbove"))->isVisible());
-    shell.shown(0);
+    EXPECT_TRUE(shell.shown(test::kSubdivision).findChild<Ruler*>(QStringLiteral("rulerAbove"))->isVisible());
+    shell.shown(test::kElevation);
     toggle();
     EXPECT_FALSE(above.isVisible());
     EXPECT_FALSE(Preferences().areRulersShown());

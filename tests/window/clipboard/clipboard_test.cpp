@@ -210,7 +210,7 @@ INSTANTIATE_TEST_SUITE_P(EachTab, ClipboardTest, testing::Range<SheetIndex>(0, k
 class MultiplicityClipboardTest : public test::PanelTest {
   protected:
     MultiplicityClipboardTest()
-        : PanelTest(1) {}
+        : PanelTest(test::kSubdivision) {}
 };
 
 TEST_F(MultiplicityClipboardTest, pointsKeepWhatBelongsToThem) {

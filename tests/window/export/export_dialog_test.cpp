@@ -21,7 +21,7 @@ const Drawing& shownIn(const ExportDialog& dialog, QThreadPool& workers) {
 class ExportDialogTest : public test::PanelTest {
   protected:
     ExportDialogTest()
-        : PanelTest(2)
+        : PanelTest(test::kSpline)
         , dialog_(sheetToExport(document().value(), sheet_), {}, shell.window.workers()) {
         dialog_.show();
     }
@@ -91,9 +91,10 @@ TEST_F(ExportDialogTest, offersNoFramesOfASpline) {
 
 TEST(ExportDialogOfAnimation, showsTheFramesSideBySide) {
     Document document;
-    document.sheets[0].curves = {withPointsAdded(emptyCurve(0), Points{{0, 0}, {1, 2}, {3, 2}, {4, 0}})};
+    document.sheets[test::kElevation].curves = {
+        withPointsAdded(emptyCurve(test::kElevation), Points{{0, 0}, {1, 2}, {3, 2}, {4, 0}})};
     QThreadPool workers;
-    ExportDialog dialog(sheetToExport(document, 0), {}, workers);
+    ExportDialog dialog(sheetToExport(document, test::kElevation), {}, workers);
     dialog.show();
     const auto width = [&] { return boxOf(shownIn(dialog, workers).figure).width(); };
     EXPECT_EQ(width(), 4);
@@ -174,7 +175,7 @@ TEST(ExportDialogOfPlots, hasWhatPlotsHave) {
 class FigureExportTest : public test::PanelTest {
   protected:
     FigureExportTest()
-        : PanelTest(0) {}
+        : PanelTest(test::kElevation) {}
     void trigger(const char* action) { shell.window.findChild<QAction*>(QLatin1String(action))->trigger(); }
 };
 

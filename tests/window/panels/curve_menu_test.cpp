@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(EachTab, CurveMenuTest, testing::Range<SheetIndex>(0, k
 class TooManyPointsTest : public test::PanelTest {
   protected:
     TooManyPointsTest()
-        : PanelTest(3) {}
+        : PanelTest(test::kCombined) {}
 };
 
 TEST_F(TooManyPointsTest, areRefusedByTheOtherTabAndTold) {
@@ -121,9 +121,9 @@ TEST_F(TooManyPointsTest, areRefusedByTheOtherTabAndTold) {
     for (int i = 0; i < 202; ++i)
         curve.points.push_back({static_cast<double>(i), 0});
     open({curve});
-    editor().usePointsIn(0);
-    EXPECT_EQ(document().value().active, 3u);
-    EXPECT_TRUE(document().sheet(0).curves.empty());
+    editor().usePointsIn(test::kElevation);
+    EXPECT_EQ(document().value().active, test::kCombined);
+    EXPECT_TRUE(document().sheet(test::kElevation).curves.empty());
     const QString told = shell.window.findChild<QLabel*>(QStringLiteral("hint"))->text();
     EXPECT_TRUE(told.contains(QStringLiteral("201"))) << told.toStdString();
 }

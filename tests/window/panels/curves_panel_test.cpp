@@ -10,7 +10,7 @@ using test::named;
 class CurvesPanelTest : public test::PanelTest {
   protected:
     CurvesPanelTest()
-        : PanelTest(2) {
+        : PanelTest(test::kSpline) {
         open({chain("First", 2), chain("", 3), chain("Third", 4)});
     }
     static SplineCurve chain(const char* name, int knots) {
@@ -50,7 +50,7 @@ TEST_F(CurvesPanelTest, aChosenRowIsTheActiveCurve) {
     EXPECT_EQ(active(), 2);
     QTest::keyClick(&list, Qt::Key_Up);
     EXPECT_EQ(active(), 1);
-    document().setActiveCurve(2, document().serials(2)[0]);
+    document().setActiveCurve(test::kSpline, document().serials(test::kSpline)[0]);
     EXPECT_EQ(list.currentIndex().row(), 0);
     EXPECT_EQ(steps(), QStringList());
     EXPECT_FALSE(document().isModified());
@@ -90,12 +90,12 @@ TEST_F(CurvesPanelTest, duplicatesBehindTheActiveCurve) {
 }
 
 TEST_F(CurvesPanelTest, deletesTheActiveCurve) {
-    const Serial serial = document().serials(2)[2];
+    const Serial serial = document().serials(test::kSpline)[2];
     clickRow(2);
     click(button("Delete the curve"));
     EXPECT_EQ(active(), 1);
     expectOneStepOfRows("Delete the curve", {before[0], before[1]});
-    EXPECT_EQ(document().serials(2)[2], serial);
+    EXPECT_EQ(document().serials(test::kSpline)[2], serial);
 }
 
 TEST_F(CurvesPanelTest, reordersAndKeepsTheActiveCurve) {

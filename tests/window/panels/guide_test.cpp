@@ -69,7 +69,7 @@ TEST(Guide, f1ShowsThePageOfTheShownTab) {
 
 TEST(Guide, f1BringsBackWhatWasClosedAndGivesItRoom) {
     TestWindow shell;
-    SheetTab& tab = shell.shown(2);
+    SheetTab& tab = shell.shown(test::kSpline);
     auto* dock = tab.findChild<QDockWidget*>(QStringLiteral("guide"));
     dock->close();
     pressF1(shell.window);
@@ -80,7 +80,7 @@ TEST(Guide, f1BringsBackWhatWasClosedAndGivesItRoom) {
 
 TEST(Guide, followsTheLanguageAtOnceAndStaysWhereItWasRead) {
     TestWindow shell;
-    SheetTab& tab = shell.shown(1);
+    SheetTab& tab = shell.shown(test::kSubdivision);
     pressF1(shell.window);
     GuidePanel& guide = guideOf(tab);
     QScrollBar* bar = guide.verticalScrollBar();
@@ -101,7 +101,7 @@ TEST(Guide, followsTheLanguageAtOnceAndStaysWhereItWasRead) {
 
 TEST(Guide, paintsItsPicturesAnewForAnotherThemeAndWidth) {
     TestWindow shell;
-    SheetTab& tab = shell.shown(0);
+    SheetTab& tab = shell.shown(test::kElevation);
     pressF1(shell.window);
     GuidePanel& guide = guideOf(tab);
     const auto picture = [&] { return pictureOf(guide, QStringLiteral("figure:elevation-once")); };
@@ -120,7 +120,7 @@ TEST(Guide, paintsItsPicturesAnewForAnotherThemeAndWidth) {
 
 TEST(Guide, opensNothingFromOutside) {
     TestWindow shell;
-    SheetTab& tab = shell.shown(0);
+    SheetTab& tab = shell.shown(test::kElevation);
     pressF1(shell.window);
     GuidePanel& guide = guideOf(tab);
     const QString before = guide.toPlainText();

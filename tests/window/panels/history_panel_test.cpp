@@ -7,7 +7,7 @@ namespace {
 class HistoryPanelTest : public test::PanelTest {
   protected:
     HistoryPanelTest()
-        : PanelTest(0) {
+        : PanelTest(test::kElevation) {
         values.push_back(curve());
         editor().addPoint({9, 0});
         values.push_back(curve());

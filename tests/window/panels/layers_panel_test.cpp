@@ -8,7 +8,7 @@ namespace {
 class LayersPanelTest : public test::PanelTest {
   protected:
     LayersPanelTest()
-        : PanelTest(0) {}
+        : PanelTest(test::kElevation) {}
     [[nodiscard]] QImage canvas() {
         QApplication::processEvents();
         return tab.canvas().viewport()->grab().toImage();
@@ -19,7 +19,7 @@ class LayersPanelTest : public test::PanelTest {
         return static_cast<int>(found - infos.begin());
     }
     [[nodiscard]] bool isInFigure(std::string_view layer) {
-        const Figure figure = figureOf(editor().sheet(), 0);
+        const Figure figure = figureOf(editor().sheet(), test::kElevation);
         return std::ranges::any_of(figure.layers, [&](const auto& drawn) { return drawn.name == layer; });
     }
 
@@ -41,7 +41,7 @@ TEST_F(LayersPanelTest, aCheckTakesTheLayerOffTheCanvasAndModifiesNothing) {
 }
 
 TEST_F(LayersPanelTest, showsWhatTheDocumentSays) {
-    document().setLayerShown(0, "curve", false);
+    document().setLayerShown(test::kElevation, "curve", false);
     EXPECT_EQ(layers.item(row("curve"))->checkState(), Qt::Unchecked);
     shell.window.session().show({});
     EXPECT_EQ(layers.item(row("curve"))->checkState(), Qt::Checked);

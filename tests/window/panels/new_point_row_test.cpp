@@ -278,7 +278,7 @@ TEST_F(NewPointRow, whatWasBegunForACurveIsNoPointOfAnotherOne) {
     table.setFocus();
     clickRow(1);
     type("5");
-    document().setActiveCurve(0, document().serials(0)[1]);
+    document().setActiveCurve(test::kElevation, document().serials(test::kElevation)[1]);
     turn();
     EXPECT_FALSE(isOpen());
     EXPECT_TRUE(curve() == before);

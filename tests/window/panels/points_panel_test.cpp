@@ -100,12 +100,12 @@ TEST_F(PointsPanelTest, neighboursAreOneRangeBothWays) {
 TEST_F(PointsPanelTest, marksNoRowForThePointsOfAnotherCurve) {
     open({before, ElevationCurve{"", {{0, 0}, {1, 1}}, 0, {}, {}}});
     selectPoints({1, 3});
-    document().setActiveCurve(0, document().serials(0)[1]);
+    document().setActiveCurve(test::kElevation, document().serials(test::kElevation)[1]);
     EXPECT_EQ(markedRows(), editor().selectedPoints());
     EXPECT_EQ(markedRows(), std::vector<int>{});
     QTest::keyClick(&table, Qt::Key_Delete);
     EXPECT_EQ(pointCount(curve()), 2U);
-    document().setActiveCurve(0, document().serials(0)[0]);
+    document().setActiveCurve(test::kElevation, document().serials(test::kElevation)[0]);
     EXPECT_EQ(markedRows(), editor().selectedPoints());
 }
 

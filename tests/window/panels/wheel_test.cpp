@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(InEachTab, WheelInEachTab, testing::Range<SheetIndex>(0
 
 TEST(WheelInTheExportDialog, changesNothingThatHasNoFocus) {
     test::TestWindow shell;
-    ExportDialog dialog(sheetToExport(shell.window.document().value(), 1), {}, shell.window.workers());
+    ExportDialog dialog(sheetToExport(shell.window.document().value(), test::kSubdivision), {}, shell.window.workers());
     dialog.show();
     QApplication::processEvents();
     const FigureFileOptions before = dialog.options();

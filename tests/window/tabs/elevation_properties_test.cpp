@@ -16,7 +16,7 @@ using test::type;
 class ElevationPropertiesTest : public test::PanelTest {
   protected:
     ElevationPropertiesTest()
-        : PanelTest(0) {}
+        : PanelTest(test::kElevation) {}
     static ElevationCurve with(ElevationCurve curve, int times) {
         curve.times = times;
         return curve;
@@ -126,7 +126,7 @@ TEST_F(ElevationPropertiesTest, aChangeTakesTheStageOffTheCanvas) {
 TEST_F(ElevationPropertiesTest, theStageStaysWhereALayerGoes) {
     player.tick();
     const Curve stage = *editor().shown(editor().activeSerial());
-    document().setLayerShown(0, "control-polygon", false);
+    document().setLayerShown(test::kElevation, "control-polygon", false);
     EXPECT_TRUE(editor().hasStage());
     EXPECT_EQ(player.stage(), 6);
     EXPECT_TRUE(*editor().shown(editor().activeSerial()) == stage);

@@ -14,7 +14,7 @@ using Join = SplineKnot::Join;
 class SplineActions : public GestureTest, public testing::Test {
   protected:
     SplineActions()
-        : GestureTest(2) {
+        : GestureTest(test::kSpline) {
         SplineCurve curve = spline();
         curve.knots[1] = {{2, 4}, Join::corner, Point{1, 3}, Point{4, 4}};
         curve.knots[2] = {{6, 4}, Join::smooth, Point{4, 5}, Point{7, 3.5}};
@@ -116,9 +116,10 @@ TEST_F(SplineActions, standInTheCurveMenuOfTheSplineTabAlone) {
     };
     EXPECT_TRUE(curveMenu().contains(&action("corner")));
     EXPECT_TRUE(curveMenu().contains(&action("raiseNumber")));
-    window.shown(3);
+    window.shown(test::kCombined);
     EXPECT_FALSE(curveMenu().contains(&action("corner")));
-    EXPECT_TRUE(curveMenu().contains(window.window.tab(3).canvas().findChild<QAction*>(QStringLiteral("raiseNumber"))));
+    EXPECT_TRUE(curveMenu().contains(
+        window.window.tab(test::kCombined).canvas().findChild<QAction*>(QStringLiteral("raiseNumber"))));
 }
 
 TEST_F(SplineActions, followTheLanguage) {

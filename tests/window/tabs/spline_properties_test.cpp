@@ -20,7 +20,7 @@ using test::type;
 class SplinePropertiesTest : public test::PanelTest {
   protected:
     SplinePropertiesTest()
-        : PanelTest(2) {}
+        : PanelTest(test::kSpline) {}
 
     PropertiesPanel& properties = panel<PropertiesPanel>("properties");
     QComboBox& rule = named<QComboBox>(properties, "Rule");

@@ -20,7 +20,7 @@ using testing::ElementsAre;
 class SubdivisionPropertiesTest : public test::PanelTest {
   protected:
     SubdivisionPropertiesTest()
-        : PanelTest(1) {}
+        : PanelTest(test::kSubdivision) {}
     [[nodiscard]] QCheckBox& box(const char* text) { return test::saying<QCheckBox>(properties, text); }
 
     PropertiesPanel& properties = panel<PropertiesPanel>("properties");
@@ -87,7 +87,7 @@ TEST_F(SubdivisionPropertiesTest, showingTheCurveIsNoChange) {
     EXPECT_TRUE(editor().sheet().view.layers.at("curve"));
     expectNoStep(before);
     EXPECT_FALSE(document().isModified());
-    document().setLayerShown(1, "curve", false);
+    document().setLayerShown(test::kSubdivision, "curve", false);
     EXPECT_FALSE(shows.isChecked());
 }
 
@@ -159,7 +159,7 @@ TEST_F(SubdivisionPropertiesTest, furtherParametersAreOfTheViewAndShownAtOnce) {
     type(further, "0,25; 0.75");
     EXPECT_THAT(numbersOf(&editor().sheet().view, kFurtherParameters), ElementsAre(0.25, 0.75));
     EXPECT_EQ(further.text(), QStringLiteral("0.25; 0.75"));
-    const Figure figure = figureOf(editor().sheet(), 1);
+    const Figure figure = figureOf(editor().sheet(), test::kSubdivision);
     const auto layer = std::ranges::find(figure.layers, "further-constructions", &Layer::name);
     ASSERT_NE(layer, figure.layers.end());
     EXPECT_EQ(layer->strokes.size(), 4u);
@@ -171,7 +171,7 @@ TEST_F(SubdivisionPropertiesTest, furtherParametersAreOfTheViewAndShownAtOnce) {
 
 TEST_F(SubdivisionPropertiesTest, furtherParametersBetweenNoughtAndOneAloneAreTaken) {
     QLineEdit& further = named<QLineEdit>(properties, "Further t");
-    document().setViewNumbers(1, kFurtherParameters, {0.5});
+    document().setViewNumbers(test::kSubdivision, kFurtherParameters, {0.5});
     EXPECT_EQ(further.text(), QStringLiteral("0.5"));
     for (const char* text : {"1", "0", "0.5; t", ".1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1 .1"}) {
         type(further, text);

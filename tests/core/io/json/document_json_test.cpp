@@ -205,7 +205,7 @@ TEST(ReadDocument, refusesNumbersOfViewsThatAreOutOfRange) {
 }
 
 TEST(ReadDocument, takes1000CurvesInASheetAndNoMore) {
-    EXPECT_EQ(documentOf(withElevation(curves(1000, "{}"))).sheets[0].curves.size(), 1000u);
+    EXPECT_EQ(documentOf(withElevation(curves(1000, "{}"))).sheets[test::kElevation].curves.size(), 1000u);
     const FileError error = refusalOf(withElevation(curves(1001, "{}")));
     EXPECT_EQ(error.problem, FileProblem::tooMany);
     EXPECT_EQ(error.place, "sheets.elevation.curves");
@@ -214,7 +214,7 @@ TEST(ReadDocument, takes1000CurvesInASheetAndNoMore) {
 TEST(ReadDocument, takes64MebibytesAndNoMore) {
     std::string text = withElevation("{}");
     text.resize(limits::kFileBytes, ' ');
-    EXPECT_EQ(documentOf(text).sheets[0].curves.size(), 1u);
+    EXPECT_EQ(documentOf(text).sheets[test::kElevation].curves.size(), 1u);
     text += ' ';
     const FileError error = refusalOf(text);
     EXPECT_EQ(error.problem, FileProblem::tooLarge);
@@ -229,16 +229,17 @@ TEST(WriteDocument, readsBackBitForBit) {
     curve.times = 97;
     curve.style.color = Color{1, 171, 205};
     curve.view.isShown = false;
-    document.sheets[0].curves = test::curves({curve});
-    document.sheets[0].view.layers["labels"] = false;
-    SheetView& view = document.sheets[2].view;
+    document.sheets[test::kElevation].curves = test::curves({curve});
+    document.sheets[test::kElevation].view.layers["labels"] = false;
+    SheetView& view = document.sheets[test::kSpline].view;
     view = withNumbers(withNumbers(view, kCombScale, {2.5}), kPolylinePoints, {12});
-    document.sheets[1].view = withNumbers({}, kFurtherParameters, {0.25, 1.0 / 3});
+    document.sheets[test::kSubdivision].view = withNumbers({}, kFurtherParameters, {0.25, 1.0 / 3});
     const std::string text = writeDocument(document);
     const auto read = readDocument(text);
     ASSERT_TRUE(std::holds_alternative<Document>(read)) << text;
     EXPECT_EQ(std::get<Document>(read), document);
-    EXPECT_TRUE(std::signbit(std::get<ElevationCurve>(std::get<Document>(read).sheets[0].curves[0]).points[0].x));
+    EXPECT_TRUE(std::signbit(
+        std::get<ElevationCurve>(std::get<Document>(read).sheets[test::kElevation].curves[0]).points[0].x));
     EXPECT_EQ(writeDocument(std::get<Document>(read)), text);
 }
 
@@ -249,12 +250,12 @@ TEST(WriteDocument, writesOnlyTheSheetsThatHoldSomething) {
 
 TEST(SameContent, ignoresViewsAndTheActiveSheet) {
     Document a;
-    a.sheets[0].curves = test::curves({ElevationCurve{}});
+    a.sheets[test::kElevation].curves = test::curves({ElevationCurve{}});
     Document b = a;
-    b.sheets[0].view.activeCurve = 3;
-    b.sheets[0].curves[0] = withView(b.sheets[0].curves[0], {false});
+    b.sheets[test::kElevation].view.activeCurve = 3;
+    b.sheets[test::kElevation].curves[0] = withView(b.sheets[test::kElevation].curves[0], {false});
     EXPECT_TRUE(sameContent(a, b));
-    b.sheets[0].curves[0] = renamed(b.sheets[0].curves[0], "other");
+    b.sheets[test::kElevation].curves[0] = renamed(b.sheets[test::kElevation].curves[0], "other");
     EXPECT_FALSE(sameContent(a, b));
 }
 

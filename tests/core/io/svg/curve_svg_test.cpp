@@ -1,5 +1,6 @@
 #include "core/io/svg/curve_svg.h"
 #include "core/sheets/elevation/elevation.h"
+#include "tests/support/sheet_curves.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +29,7 @@ TEST(CurveSvg, isOnePathInMillimetresWithoutPaper) {
 
 TEST(CurveSvg, isNothingWhereNothingIsDrawnYet) {
     EXPECT_EQ(writeCurveSvg(Curve(ElevationCurve{}), {}, kCaptionTexts), std::nullopt);
-    EXPECT_EQ(writeCurveSvg(emptyCurve(3), {}, kCaptionTexts), std::nullopt);
+    EXPECT_EQ(writeCurveSvg(emptyCurve(test::kCombined), {}, kCaptionTexts), std::nullopt);
 }
 
 } // namespace

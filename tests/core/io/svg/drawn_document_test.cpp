@@ -11,8 +11,8 @@
 namespace kriva {
 namespace {
 
-constexpr SheetIndex kElevation = 0;
-constexpr SheetIndex kSpline = 2;
+constexpr SheetIndex kElevation = kSheetOf<ElevationCurve>;
+constexpr SheetIndex kSpline = kSheetOf<SplineCurve>;
 
 const TextSource kFigureTexts{[](Caption) { return "Word"; }, [](double, int) { return std::string(); }, "en"};
 

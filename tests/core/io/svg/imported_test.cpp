@@ -7,9 +7,9 @@
 namespace kriva {
 namespace {
 
-constexpr SheetIndex kElevationSheet = 0;
-constexpr SheetIndex kSplineSheet = 2;
-constexpr SheetIndex kCombined = 3;
+constexpr SheetIndex kElevationSheet = kSheetOf<ElevationCurve>;
+constexpr SheetIndex kSplineSheet = kSheetOf<SplineCurve>;
+constexpr SheetIndex kCombined = kSheetOf<CombinedCurve>;
 
 const Path kCubic{{{0, 0}, {1, 2}, {3, 2}, {4, 0}}, {3}, false};
 const Path kChain{{{0, 0}, {1, 2}, {3, 2}, {4, 0}, {5, 0}}, {3, 1}, false};

@@ -78,7 +78,7 @@ std::vector<std::string_view> namesAt(std::optional<int> stage, const SheetView&
     sheet.curves = test::curves({threeRuns(CombinedCurve::Method::pairs)});
     sheet.view = view;
     std::vector<std::string_view> names;
-    for (const Layer& layer : figureOf(sheet, 3, stage).layers)
+    for (const Layer& layer : figureOf(sheet, test::kCombined, stage).layers)
         names.push_back(layer.name);
     return names;
 }
@@ -103,7 +103,7 @@ TEST(CombinedFigure, stagesShowNothingThatIsSwitchedOff) {
 TEST(CombinedFigure, aStageIsOfTheActiveCurveAlone) {
     Sheet sheet;
     sheet.curves = test::curves({CombinedCurve{}, threeRuns(CombinedCurve::Method::pairs)});
-    EXPECT_FALSE(layerOf(figureOf(sheet, 3, 0), "curve").strokes.empty());
+    EXPECT_FALSE(layerOf(figureOf(sheet, test::kCombined, 0), "curve").strokes.empty());
 }
 
 TEST(CombinedFigure, drawsTheRunsPolygonsAndPolynomials) {

@@ -2,6 +2,7 @@
 #include "core/sheets/elevation/elevation.h"
 #include "tests/support/any_curve.h"
 #include "tests/support/documents.h"
+#include "tests/support/sheet_curves.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -62,7 +63,9 @@ TEST(ElevationJson, takesTwoMillionElevatedPointsInASheetAndNoMore) {
     std::string curves;
     for (int i = 0; i < 199; ++i)
         curves += curveOfPoints(50, 10000) + ","; // 199 * 10,050 = 1,999,950
-    EXPECT_EQ(test::documentOf(test::documentWith("elevation", curves + curveOfPoints(50, 0))).sheets[0].curves.size(),
+    EXPECT_EQ(test::documentOf(test::documentWith("elevation", curves + curveOfPoints(50, 0)))
+                  .sheets[test::kElevation]
+                  .curves.size(),
               200u);
     const FileError error = refusalOf(curves + curveOfPoints(51, 0));
     EXPECT_EQ(error.problem, FileProblem::tooManyDerivedPoints);

@@ -1,6 +1,7 @@
 #include "core/document/sheet_figure.h"
 #include "core/sheets/spline/spline_crossings.h"
 #include "tests/core/sheets/spline/spline_values.h"
+#include "tests/support/sheet_curves.h"
 
 #include <gmock/gmock.h>
 
@@ -27,7 +28,7 @@ Points marksOf(const Relations& relations) {
 }
 
 TEST(SplineRelations, countAndMarkTheCrossingsOfTheSheet) {
-    const Relations relations = relationsOf(sheetOf({kRising, kFalling, kUpright}), 2);
+    const Relations relations = relationsOf(sheetOf({kRising, kFalling, kUpright}), test::kSpline);
     ASSERT_THAT(relations.results, SizeIs(5));
     EXPECT_EQ(relations.results[0].caption, Caption::crossingCount);
     EXPECT_EQ(std::get<int>(*relations.results[0].value), 3);
@@ -38,20 +39,20 @@ TEST(SplineRelations, countAndMarkTheCrossingsOfTheSheet) {
 
 TEST(SplineRelations, markOnlyCrossingsOfCurvesThatAreShown) {
     const Curve hidden = withView(kUpright, {false});
-    const Relations relations = relationsOf(sheetOf({kRising, kFalling, hidden}), 2);
+    const Relations relations = relationsOf(sheetOf({kRising, kFalling, hidden}), test::kSpline);
     EXPECT_EQ(std::get<int>(*relations.results[0].value), 3);
     EXPECT_THAT(marksOf(relations), UnorderedElementsAre(Point{2, 2}));
 }
 
 TEST(SplineRelations, areNoneWhereNothingIsDrawnYet) {
-    EXPECT_TRUE(relationsOf(sheetOf({}), 2).results.empty());
-    EXPECT_TRUE(relationsOf(sheetOf({Curve(ElevationCurve{})}), 0).results.empty());
+    EXPECT_TRUE(relationsOf(sheetOf({}), test::kSpline).results.empty());
+    EXPECT_TRUE(relationsOf(sheetOf({Curve(ElevationCurve{})}), test::kElevation).results.empty());
 }
 
 TEST(SplineRelations, areDrawnInTheFigureOfTheSheetUnlessTheLayerIsOff) {
     Sheet sheet = sheetOf({kRising, kFalling});
     const auto hasMarks = [&] {
-        const Figure figure = figureOf(sheet, 2);
+        const Figure figure = figureOf(sheet, test::kSpline);
         return std::ranges::any_of(figure.layers, [](const Layer& layer) { return layer.name == "crossings"; });
     };
     EXPECT_TRUE(hasMarks());

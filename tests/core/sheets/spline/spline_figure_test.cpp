@@ -82,9 +82,9 @@ TEST(SplineFigure, derivedLayersAreOffAtFirst) {
 TEST(SplineFigure, crossingsAreNotLookedForWhereTheirLayerIsOff) {
     Sheet sheet;
     sheet.curves = test::curves({curveThrough(Rule::mirror, {{0, 0}, {6, 0}, {3, 3}, {3, -3}})});
-    EXPECT_TRUE(find(figureOf(sheet, 2), "crossings"));
+    EXPECT_TRUE(find(figureOf(sheet, test::kSpline), "crossings"));
     sheet.view.layers["crossings"] = false;
-    EXPECT_EQ(figureOf(sheet, 2), figureOfCurves(sheet, 2));
+    EXPECT_EQ(figureOf(sheet, test::kSpline), figureOfCurves(sheet, 2));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "core/sheets/subdivision/subdivision.h"
 #include "tests/core/sheets/subdivision/any_subdivision.h"
 #include "tests/support/documents.h"
+#include "tests/support/sheet_curves.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -112,7 +113,9 @@ TEST(SubdivisionJson, takesTwoMillionPointsOfPiecesInASheetAndNoMore) {
     const std::string one = R"({"points":)" + pointList(125) + R"(,"levels":13})";  // 1,024,000 points
     const std::string rest = R"({"points":)" + pointList(61) + R"(,"levels":14})";  // 999,424: together too many
     const std::string less = R"({"points":)" + pointList(119) + R"(,"levels":13})"; // 974,848: together 1,998,848
-    EXPECT_EQ(test::documentOf(test::documentWith("subdivision", one + "," + less)).sheets[1].curves.size(), 2u);
+    EXPECT_EQ(
+        test::documentOf(test::documentWith("subdivision", one + "," + less)).sheets[test::kSubdivision].curves.size(),
+        2u);
     EXPECT_EQ(refusalOf(one + "," + rest).place, "sheets.subdivision.curves");
 }
 

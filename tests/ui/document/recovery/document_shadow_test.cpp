@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr SheetIndex kElevation = 0;
+constexpr SheetIndex kElevation = kSheetOf<ElevationCurve>;
 const StepLabel kStep{"Move point %1", 3};
 
 Curve curveAt(double x) {
