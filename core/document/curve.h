@@ -42,7 +42,7 @@ consteval SheetIndex placeAmong(std::type_identity<std::variant<Kinds...>>) {
 }
 /// The sheet of a kind of curve.
 template <class C>
-requires isAmong<C, CurveKinds>
+requires kIsAmong<C, CurveKinds>
 inline constexpr SheetIndex kSheetOf = placeAmong<C>(std::type_identity<CurveKinds>());
 
 /// A curve of the sheet's kind without points.

@@ -9,7 +9,7 @@
 
 namespace kriva {
 
-/// The kinds of curves in the order of their sheets. A further sheet is one more here: nothing else in core names a sheet
+/// The kinds of curves in the order of their sheets. A further sheet is one more here: nothing else in core names one
 /// but what compares several of them.
 using CurveKinds = std::variant<ElevationCurve, SubdivisionCurve, SplineCurve, CombinedCurve>;
 
