@@ -56,7 +56,7 @@ TEST_F(OffsetTab, movesAPointByADragInOneStep) {
 
 TEST_F(OffsetTab, itsPropertiesAreSetInOneStepEach) {
     auto& properties = panel<PropertiesPanel>("properties");
-    type(test::named<NumberField>(properties, "Distance"), "2.5");
+    test::type(test::named<NumberField>(properties, "Distance"), "2.5");
     OffsetCurve after = before;
     after.distance = 2.5;
     expectOneStep("Set the distance", before, after);

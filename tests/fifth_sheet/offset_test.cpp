@@ -8,7 +8,7 @@
 #include "core/io/svg/drawn_document.h"
 #include "core/io/svg/svg_reader.h"
 #include "core/io/svg/svg_writer.h"
-#include "core/io/tables/points_csv.h"
+#include "core/io/tables/points_writer.h"
 #include "tests/support/sheet_curves.h"
 
 #include <algorithm>
