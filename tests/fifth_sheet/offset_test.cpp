@@ -10,6 +10,7 @@
 #include "core/io/svg/svg_writer.h"
 #include "core/io/tables/points_writer.h"
 #include "tests/support/sheet_curves.h"
+#include "tests/support/sheet_svg.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>
@@ -90,7 +91,7 @@ TEST(Offset, isDrawnUnderItsView) {
 
 TEST(Offset, isExportedInEveryFormatAndReadBack) {
     const Document document = withCorner();
-    const std::string svg = writeSheetSvg(document, kOffset, kTexts);
+    const std::string svg = test::sheetSvg(document, kOffset, kTexts);
     EXPECT_THAT(svg, HasSubstr("<g id=\"layer-offsets\""));
     EXPECT_EQ(std::get<Document>(readDocumentFromSvg(svg)), document);
     EXPECT_FALSE(drawnDocument(svg, document)) << "the lines are still those of the document";
